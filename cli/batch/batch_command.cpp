@@ -162,19 +162,20 @@ void export_store(const Arguments& arguments) {
   parser.add("STORE", path, "The store, a file that lober batch run has written.").required();
   parser
       .add("-o,--output", output,
-           "Write the table to FILE, whose ending .csv, .jsonl, .npy or .nc (NetCDF) is its format (default: standard "
+           "Write the table to FILE, whose ending .csv, .jsonl, .npy, .nc (NetCDF) or .h5 (HDF5) is its format "
+           "(default: standard "
            "output).")
       .value("FILE");
   parser
       .add("--format", format,
-           "The format of the table: csv, jsonl, npy or nc (default: by the ending of FILE, or csv).")
+           "The format of the table: csv, jsonl, npy, nc or h5 (default: by the ending of FILE, or csv).")
       .value("KIND")
-      .one_of({"csv", "jsonl", "npy", "nc"});
+      .one_of({"csv", "jsonl", "npy", "nc", "h5"});
   parser
-      .add("--operation", operation,
-           "The operation whose results are exported (default: all operations; a table in csv, npy or nc holds one, "
-           "which "
-           "has to be named if the store has several).")
+      .add(
+          "--operation", operation,
+          "The operation whose results are exported (default: all operations; a table in csv, npy, nc or h5 holds one, "
+          "which has to be named if the store has several).")
       .value("NAME");
   if (!parser.parse(arguments)) return;
   const std::string by_name = !format.empty() ? "." + format : output == "-" ? ".csv" : output;
@@ -232,7 +233,7 @@ constexpr Subcommand subcommands[]{
      "a second one stops at once; nothing that was stored is lost"},
     {"check", check_manifest, "MANIFEST", "reads the manifest and reports how much work it is"},
     {"status", show_status, "STORE", "reports the jobs that are done, the runs and the failures"},
-    {"export", export_store, "STORE [-o FILE]", "writes the results as CSV, JSON lines or NPY"},
+    {"export", export_store, "STORE [-o FILE]", "writes the results as CSV, JSON lines, NPY, NetCDF or HDF5"},
     {"merge", merge_stores, "TARGET STORE...", "joins the stores of shards"},
     {"manifest", show_manifest_keys, "", "lists the keys of a manifest"},
     {"operations", show_operations, "[NAME]", "lists the operations, or the options and results of one"},

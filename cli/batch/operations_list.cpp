@@ -31,6 +31,7 @@ Keys, at the top for all groups or in a [[group]] for that group:
              its groups; or curves to be computed (below)
   with       the same: the second set of pairs = "product"
   closed     false for open curves (default: as the operation has it)
+  periodic   "x=2pi", or ["x=2pi", "y=1"]: the periods of curves of files, as --periodic has them
   pairs      "all"          each unordered pair of two of the curves
              "consecutive"  each curve with the next one
              { lag = k }    each curve with the k-th after it

@@ -132,9 +132,11 @@ void draw(const std::string& path, const EscapeReport& report) {
 
 void run(const EscapeRequest& request) {
   const detail::Stopwatch watch;
-  const std::vector<Output> outputs = checked_outputs(
-      {{"--json", request.json}, {"--svg", request.svg}, {"--curves", request.curves}, {"--tubes", request.tubes}},
-      files_of_system(request.system));
+  const std::vector<Output> outputs = checked_outputs({{"--json", request.json},
+                                                       {"--svg", request.svg},
+                                                       {"--curves", request.curves, request.format},
+                                                       {"--tubes", request.tubes}},
+                                                      files_of_system(request.system));
   const bool printing = !takes_standard_output(outputs);
   // Rows are printed as soon as they are known; where trajectories are asked for they may take long, and if they
   // contradict a row the first line says so.

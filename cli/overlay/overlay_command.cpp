@@ -79,7 +79,7 @@ std::vector<Output> outputs_of(const OverlayRequest& request) {
                                      {"--lobes", request.lobes},
                                      {"--crossings", request.crossings},
                                      {"--svg", request.svg}}) {
-    if (!path.empty()) outputs.push_back({option, path});
+    if (!path.empty()) outputs.push_back({option, path, request.format});
   }
   return outputs;
 }

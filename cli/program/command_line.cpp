@@ -10,6 +10,7 @@
 #include "cli/program/output_names.hpp"
 #include "engine/base/output_file.hpp"
 #include "engine/files/curve_spec.hpp"
+#include "engine/files/period_text.hpp"
 #include "lober/base/error.hpp"
 #include "lober/base/threads.hpp"
 
@@ -46,6 +47,12 @@ void print(std::string_view text) {
 }
 
 void check_outputs(std::span<const Output> outputs, std::span<const std::string> inputs) {
+  const auto is_standard = [](const std::string& input) { return detail::file_of_curve(input) == "-"; };
+  if (std::count_if(inputs.begin(), inputs.end(), is_standard) > 1) {
+    throw UsageError(
+        "standard input is named twice and can be read once; write it to a file, and name its zones, FILE#0 and "
+        "FILE#1");
+  }
   for (std::size_t k = 0; k < outputs.size(); ++k) {
     const Output& output = outputs[k];
     for (const Output& earlier : outputs.first(k)) {
@@ -62,7 +69,7 @@ void check_outputs(std::span<const Output> outputs, std::span<const std::string>
     }
   }
   for (const Output& output : outputs) {
-    if (!is_special(output.path)) require_fitting_name(output.option, output.path);
+    if (!is_special(output.path)) require_fitting_name(output.option, output.path, output.format);
   }
   for (const Output& output : outputs) {
     // Opens a temporary file beside it, and removes that again.
@@ -84,18 +91,9 @@ bool takes_standard_output(std::span<const Output> outputs) {
 
 namespace {
 
-// "x=1", "y=360", "x=2pi": a number, perhaps with pi behind it, or pi alone.
-void take_period(const std::string& text, Periods& periods) {
-  const auto fail = [&] {
-    throw UsageError("--periodic: \"" + text + "\" is not x=PERIOD or y=PERIOD, such as x=2pi");
-  };
-  if (text.size() < 3 || (text[0] != 'x' && text[0] != 'y') || text[1] != '=') fail();
-  std::string number = text.substr(2);
-  const bool of_pi = number.ends_with("pi");
-  if (of_pi) number.resize(number.size() - 2);
-  const std::optional<double> factor = of_pi && number.empty() ? 1 : number_of(number);
-  if (!factor || !(*factor > 0) || !std::isfinite(*factor)) fail();
-  (text[0] == 'x' ? periods.x : periods.y) = of_pi ? *factor * std::numbers::pi : *factor;
+void take_period_option(const std::string& text, Periods& periods) {
+  if (detail::take_period(text, periods)) return;
+  throw UsageError("--periodic: \"" + text + "\" is not x=PERIOD or y=PERIOD, such as x=2pi");
 }
 
 }  // namespace
@@ -103,7 +101,7 @@ void take_period(const std::string& text, Periods& periods) {
 void add_periodic_option(OptionParser& parser, Periods& periods) {
   parser
       .add_call(
-          "--periodic", [&periods](const std::string& text) { take_period(text, periods); },
+          "--periodic", [&periods](const std::string& text) { take_period_option(text, periods); },
           "The period of a coordinate: x=1, y=360 or x=2pi. Curves that were stored modulo it are followed across the "
           "seam, and the second curve is moved by whole periods to the first. May be given for both coordinates.")
       .value("x=PERIOD");

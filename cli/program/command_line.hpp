@@ -24,6 +24,7 @@ void print(std::string_view text);
 struct Output {
   std::string option;
   std::string path;
+  std::string format = {};  ///< as --format names it, whatever the ending is
 };
 
 /// Refuses, before any work is done, outputs that would overwrite each other or an input, outputs whose names say

@@ -119,19 +119,21 @@ PointFormat format_of(const std::string& path) {
                    ": the ending does not name a format of points; use .npy, .csv, .txt, .dat (Tecplot) or .raw");
 }
 
-void require_fitting_name(std::string_view option, const std::string& path) {
+void require_fitting_name(std::string_view option, const std::string& path, const std::string& format) {
   const auto kind = std::find_if(output_kinds.begin(), output_kinds.end(),
                                  [&](const OutputKind& k) { return is_among(k.options, option); });
   if (kind == output_kinds.end()) return;
   const std::string ending = ending_of(path);
   if (kind->what == curves_kind) {
-    if (!ending.empty() && curve_entry(path) == nullptr) {
+    if (format.empty() && !ending.empty() && curve_entry(path) == nullptr) {
       throw UsageError(std::string(option) + " writes curves, but " + path + " has the ending of another format; use " +
-                       written_endings() + ", or no ending");
+                       written_endings() + ", or no ending, or name a format by --format");
     }
-    if (is_among(several_options, option) && !ending.empty() && !curve_entry(path)->holds_several) {
-      throw UsageError(std::string(option) + " writes several curves, but " + path +
-                       " has the ending of a format that holds one; use .dat (Tecplot), .npz or .geojson");
+    const Format written = curve_format(path, format, true);
+    if (is_among(several_options, option) && !detail::entry_of(written).holds_several) {
+      throw UsageError(std::string(option) + " writes several curves, and a file of the format " +
+                       std::string(name(written)) + ", as " + path + " is, holds one; use " +
+                       detail::written_endings(true));
     }
     return;
   }

@@ -29,7 +29,7 @@ enum class PointFormat : std::uint8_t { npy, csv, text, tecplot, raw };
 /// Throws UsageError, with the endings that are accepted, where the path ends as another format does than the one that
 /// `option` writes: --json x.svg, --lobes x.geojson. A name without an ending is accepted, and so is one that ends in
 /// a number or an assignment (out.0.6, out.K=2). Options that are not in the table, such as -o, are left to those who
-/// know them.
-void require_fitting_name(std::string_view option, const std::string& path);
+/// know them. Where `format` is given, as --format does, files of curves may have any ending.
+void require_fitting_name(std::string_view option, const std::string& path, const std::string& format = {});
 
 }  // namespace lober::cli

@@ -38,7 +38,7 @@ Buffer<Point> points_of(const char* option, const std::vector<std::string>& text
       points.push_back(*point);
       continue;
     }
-    const CurveFile file = read_curve_file(text, {.hash = false});
+    const CurveFile file = read_curves(text, {.hash = false});
     if (beside) {
       Curve columns;
       columns.name = text;

@@ -1,4 +1,4 @@
-// Points on the command line: X,Y, or the files that hold them.
+// Points on the command line: X,Y, or the files that hold them, as curves are named.
 #pragma once
 
 #include <string>
@@ -14,8 +14,9 @@ namespace lober::cli {
 /// of the option, for a point that is not finite.
 [[nodiscard]] std::vector<std::string> point_files(const char* option, const std::vector<std::string>& texts);
 
-/// The points in the order of the texts, all zones of each file. Throws UsageError, DataError, also when a file has
-/// columns of latitude and longitude and the curve beside which the points lie those of longitude and latitude.
+/// The points in the order of the texts, all zones of each file, or the one of FILE#ZONE; FILE:COLUMNS chooses columns.
+/// Throws UsageError, DataError, also when a file has columns of latitude and longitude and the curve beside which the
+/// points lie those of longitude and latitude.
 [[nodiscard]] Buffer<Point> points_of(const char* option, const std::vector<std::string>& texts,
                                       const Curve* beside = nullptr);
 

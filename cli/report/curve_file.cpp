@@ -31,7 +31,7 @@ void write_curve_file(const std::string& path, std::span<const Zone> zones, cons
                {.format = curve_format(path, options.format, true),
                 .closed = options.closed,
                 .zone_lines = options.zone_lines,
-                .provenance = options.notes});
+                .provenance = path == "-" ? decltype(options.notes){} : options.notes});  // a stream is not kept
 }
 
 void write_curve_file(const std::string& path, std::span<const Point> points, const CurveFileOptions& options) {

@@ -9,7 +9,8 @@
 namespace lober::cli {
 
 std::string spec_of(const NamedCurve& input) {
-  return input.zones > 1 ? fmt::format("{}#{}", input.file, input.zone) : input.file;
+  if (input.zones < 2) return input.file;
+  return input.file + "#" + (input.group.empty() ? std::to_string(input.zone) : input.group);
 }
 
 std::string counted(std::size_t count, const char* one, const char* many) {

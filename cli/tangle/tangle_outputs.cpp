@@ -39,7 +39,7 @@ std::vector<Output> TangleOutputs::files() const {
                                      {"--boundary", boundary},
                                      {"--pips", pips},
                                      {"--svg", svg}}) {
-    if (!path.empty()) outputs.push_back({option, path});
+    if (!path.empty()) outputs.push_back({option, path, format});
   }
   return outputs;
 }

@@ -42,8 +42,8 @@ void add_options(OptionParser& parser, WindingRequest& request) {
   add_periodic_option(parser, request.periods);
   const Option at = parser
                         .add("--at", request.at,
-                             "A point X,Y, in the coordinates of the curve, or a FILE of points, all zones of it; "
-                             "several may follow. One of --at and --grid has to be given.")
+                             "A point X,Y, in the coordinates of the curve, or a FILE of points, all zones of it, "
+                             "FILE#ZONE or FILE:COLUMNS; several may follow. One of --at and --grid has to be given.")
                         .value("X,Y|FILE");
   const Option grid = parser
                           .add("--grid", request.grid,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/base/text.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 namespace {
@@ -31,6 +32,17 @@ std::string closing_remark(std::span<const Point> points) {
   if (!(closing > much_longer * *middle)) return {};
   return "is not closed in its file; it was closed by a straight segment " +
          format_number(std::round(closing / *middle)) + " times as long as the median segment. Is it an open curve?";
+}
+
+void require_closed_in_the_plane(std::span<const Point> points, Periods periods, const std::string& spec) {
+  if (points.empty()) return;
+  const auto check = [&](double first, double last, double period, const char* name) {
+    if (period == 0 || std::fabs(last - first) <= 0.5 * period) return;
+    throw DataError(spec + ": goes round the period of " + name + ", " + format_number(period) +
+                    ", so that it is not closed in the plane; cut it open, or leave the period out");
+  };
+  check(points.front().x, points.back().x, periods.x, "x");
+  check(points.front().y, points.back().y, periods.y, "y");
 }
 
 }  // namespace lober::detail

@@ -100,6 +100,10 @@ std::string foreign_format(std::span<const std::byte> all) {
   for (const Magic& magic : magics) {
     if (bytes.starts_with(magic.bytes)) return sentence(magic.what, magic.remedy);
   }
+  constexpr std::size_t tar_mark_at = 257;
+  if (bytes.size() > tar_mark_at && bytes.substr(tar_mark_at).starts_with("ustar")) {
+    return sentence("a tar archive", "unpack it first, tar xf, and name a file of it");
+  }
   if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("PK\x05\x06")) return zip_format(bytes);
   if (bytes.starts_with("\x80\x04\x95") || bytes.starts_with("\x80\x05\x95")) {
     return sentence("a Python pickle", "save the array by numpy.save, N x 2");

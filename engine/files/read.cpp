@@ -70,18 +70,6 @@ std::size_t choose_zone(const CurveFile& file, const std::string& choice) {
   return static_cast<std::size_t>(found - file.zones.begin());
 }
 
-// A curve that goes round a cylinder would be closed by a segment across all of it.
-void require_closed_in_the_plane(std::span<const Point> points, Periods periods, const std::string& spec) {
-  if (points.empty()) return;
-  const auto check = [&](double first, double last, double period, const char* name) {
-    if (period == 0 || std::fabs(last - first) <= 0.5 * period) return;
-    throw DataError(spec + ": goes round the period of " + name + ", " + format_number(period) +
-                    ", so that it is not closed in the plane; cut it open, or leave the period out");
-  };
-  check(points.front().x, points.back().x, periods.x, "x");
-  check(points.front().y, points.back().y, periods.y, "y");
-}
-
 }  // namespace
 
 CurveSpec detail::split_spec(const std::string& spec) {
@@ -97,11 +85,14 @@ CurveSpec detail::split_spec(const std::string& spec) {
   const std::size_t last = spec.rfind('#');
   if (last == std::string::npos || last == 0) return {spec};
   for (std::size_t at = last; at != std::string::npos && at != 0; at = spec.rfind('#', at - 1)) {
-    if (auto found = with_columns(spec.substr(0, at))) {
+    auto found = with_columns(spec.substr(0, at));
+    // In quotes it belongs to the name of a column.
+    if (found && std::count(found->columns.begin(), found->columns.end(), '"') % 2 == 0) {
       found->zone = spec.substr(at + 1);
       return *found;
     }
   }
+  if (const auto whole = with_columns(spec)) return *whole;
   return {spec.substr(0, last), {}, spec.substr(last + 1)};
 }
 
@@ -148,14 +139,33 @@ CurveFile read_curve_file(const std::string& path, const ReadOptions& options) {
   return file;
 }
 
-NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& options) {
-  const CurveSpec parts = split_spec(spec);
-  const std::string& path = parts.file;
+namespace {
+
+CurveFile read_file_of(const CurveSpec& parts, const std::string& spec, const ReadOptions& options) {
   if (!parts.columns.empty() && !options.columns.empty()) {
     throw UsageError(spec + ": columns are chosen twice, by the name and by the options");
   }
-  CurveFile file =
-      read_curve_file(path, {.hash = options.hash, .columns = parts.columns.empty() ? options.columns : parts.columns});
+  return read_curve_file(parts.file,
+                         {.hash = options.hash, .columns = parts.columns.empty() ? options.columns : parts.columns});
+}
+
+}  // namespace
+
+CurveFile read_curves(const std::string& spec, const ReadOptions& options) {
+  const CurveSpec parts = split_spec(spec);
+  CurveFile file = read_file_of(parts, spec, options);
+  if (parts.zone) {
+    Zone chosen = std::move(file.zones[choose_zone(file, *parts.zone)]);
+    file.zones.clear();
+    file.zones.push_back(std::move(chosen));
+  }
+  return file;
+}
+
+NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& options) {
+  const CurveSpec parts = split_spec(spec);
+  const std::string& path = parts.file;
+  CurveFile file = read_file_of(parts, spec, options);
   NamedCurve result;
   result.zones = file.zones.size();
   const bool chosen = parts.zone.has_value();
@@ -166,6 +176,7 @@ NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& o
   }
   if (chosen) result.zone = choose_zone(file, *parts.zone);
   Zone& zone = file.zones[result.zone];
+  if (file.titled_by_group) result.group = zone.title;
   result.curve = {std::move(zone.points), closed, zone.title.empty() ? path : zone.title};
   const std::size_t seams = unwrap(result.curve.points, options.periods);
   result.file = path;

@@ -157,15 +157,35 @@ TecplotRecord tecplot_record(std::string_view line) {
   return key == "FILETYPE" ? TecplotRecord::ignored : TecplotRecord::none;
 }
 
-std::size_t count_variables(std::string_view line, const SourceLocation& location) {
+std::vector<std::string> variable_names(std::string_view line, const SourceLocation& location) {
   Scanner scanner(line, location);
   if (tecplot_record(line) == TecplotRecord::variables) {
     scanner.key();
     scanner.more();
     scanner.take('=');
   }
-  std::size_t names = 0;
-  for (; scanner.more(true); ++names) scanner.value();
+  std::vector<std::string> names;
+  while (scanner.more(true)) names.push_back(scanner.value());
+  return names;
+}
+
+std::vector<std::string> first_variable_names(std::string_view text, const std::string& path) {
+  std::vector<std::string> names;
+  bool is_open = false;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = without_blanks(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.empty() || line.front() == '#') continue;
+    const TecplotRecord record = tecplot_record(line);
+    const bool ends = record == TecplotRecord::none ? !is_open || (has_number(line) && line.front() != '"')
+                                                    : record == TecplotRecord::zone || is_open;
+    if (ends) break;
+    is_open = is_open || record == TecplotRecord::variables;
+    if (!is_open) continue;
+    const std::vector<std::string> more = variable_names(line, {path, number});
+    names.insert(names.end(), more.begin(), more.end());
+  }
   return names;
 }
 

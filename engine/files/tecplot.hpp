@@ -23,8 +23,10 @@ enum class TecplotRecord : std::uint8_t { none, title, variables, zone, ignored 
 /// The record that begins on this line, if any. `line` begins with a character other than a blank.
 [[nodiscard]] TecplotRecord tecplot_record(std::string_view line);
 
-/// The number of names in a VARIABLES line, or in a line that continues one.
-[[nodiscard]] std::size_t count_variables(std::string_view line, const SourceLocation& location);
+/// The names in a VARIABLES line, or in a line that continues one.
+[[nodiscard]] std::vector<std::string> variable_names(std::string_view line, const SourceLocation& location);
+/// Those of the first VARIABLES record before any points, over several lines.
+[[nodiscard]] std::vector<std::string> first_variable_names(std::string_view text, const std::string& path);
 
 /// The contents of a ZONE record.
 struct TecplotZone {

@@ -1,10 +1,12 @@
 #include "engine/files/text_columns.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <optional>
 #include <vector>
 
+#include "engine/files/column_choice.hpp"
 #include "engine/files/geographic.hpp"
 #include "engine/files/number.hpp"
 #include "engine/files/source_location.hpp"
@@ -15,18 +17,14 @@ namespace {
 
 // The first lines of a table.
 struct FirstLines {
-  std::vector<std::string_view> names;   // in the header, or in the last comment before the points
-  std::vector<std::string_view> fields;  // in the first line with numbers
-  std::size_t line = 0;                  // its number, counted from 1; 0 if there is none
+  std::vector<std::string> names;       // in the header, or in the last comment before the points
+  std::vector<std::string_view> cells;  // in the first line with numbers
+  Separator separator = Separator::blanks;
+  std::size_t line = 0;     // number of the first line with numbers, counted from 1; 0 if there is none
+  std::size_t skipped = 0;  // bytes of a line that names the separator
   bool has_decimal_commas = false;
   bool is_tecplot = false;
 };
-
-std::string_view without_blanks(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
 
 // Whether commas are those of decimals: "1,5 2,5" or "1,5;2,5". Between other separators there is nothing but numbers,
 // some of which have a comma inside.
@@ -52,31 +50,93 @@ bool has_decimal_commas(std::string_view line) {
   return found && fields > 1;
 }
 
-FirstLines first_lines_of(std::string_view text) {
+// Takes the next line of `text`.
+std::string_view next_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return line;
+}
+
+// The separator that a line "sep=;" names, as Excel writes and reads it.
+std::optional<Separator> named_separator(std::string_view line, const std::string& path) {
+  while (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  if (!line.starts_with("sep=") && !line.starts_with("SEP=")) return std::nullopt;
+  const std::string_view name = line.substr(4);
+  if (name == ",") return Separator::comma;
+  if (name == ";") return Separator::semicolon;
+  if (name == "\t" || name == "\\t") return Separator::tab;
+  SourceLocation{path, 1}.fail("the separator " + quoted_text(name) +
+                               " is not known; it is a comma, a semicolon or a tab");
+}
+
+// Whether a separator parts the header and a line with numbers into the same cells. Tabs that leave a cell empty in
+// both align columns.
+bool parts_both(Separator separator, std::string_view header, std::string_view line) {
+  const std::vector<std::string_view> names = cells_of(header, separator),
+                                      cells = cells_of(line, separator, names.size());
+  if (names.size() < 2 || names.size() != cells.size()) return false;
+  for (std::size_t k = 0; separator == Separator::tab && k < cells.size(); ++k) {
+    if (names[k].empty() && cells[k].empty()) return false;
+  }
+  return true;
+}
+
+// The names in a line, which may have other separators than the numbers.
+std::vector<std::string> names_in(std::string_view line, Separator separator, std::size_t count) {
+  std::vector<std::string_view> cells = cells_of(line, separator);
+  if (cells.size() != count) cells = cells_of(line, Separator::blanks);
+  std::vector<std::string> names;
+  names.reserve(cells.size());
+  for (const std::string_view cell : cells) names.push_back(text_of_cell(cell));
+  return names;
+}
+
+// Reads the line with numbers, and decides on the separator unless one is named.
+void read_numbers(std::string_view line, std::string_view header, std::string_view comment,
+                  std::optional<Separator> named, FirstLines& found) {
+  constexpr std::array candidates{Separator::comma, Separator::semicolon, Separator::tab};
+  const auto* const both = std::find_if(candidates.begin(), candidates.end(),
+                                        [&](Separator separator) { return parts_both(separator, header, line); });
+  found.separator = named ? *named : both != candidates.end() ? *both : separator_of(line);
+  const bool is_tab = found.separator == Separator::tab;
+  const std::string_view cut = is_tab ? line : without_blanks(line);
+  std::size_t columns = 1;
+  if (named || both != candidates.end()) columns = cells_of(header, found.separator).size();
+  found.cells = cells_of(cut, found.separator, columns);
+  const bool commas_part = named == Separator::comma || (!named && both == candidates.begin());
+  found.has_decimal_commas = !commas_part && has_decimal_commas(without_blanks(line));
+  found.names = names_in(header.empty() ? comment : header, found.separator, found.cells.size());
+}
+
+FirstLines first_lines_of(std::string_view text, const std::string& path) {
   FirstLines found;
-  bool has_header = false;
-  for (std::size_t number = 1; !text.empty(); ++number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = without_blanks(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
+  std::string_view header, comment;
+  std::string_view rest = text;
+  const std::optional<Separator> named = named_separator(next_line(rest), path);
+  if (named) found.skipped = text.size() - rest.size();
+  if (!named) rest = text;
+  for (std::size_t number = named ? 2 : 1; !rest.empty(); ++number) {
+    const std::string_view whole = next_line(rest), line = without_blanks(whole);
     if (line.empty() || line.front() == '>') continue;
     if (line.front() == '#') {
-      if (!has_header) found.names = fields_of(line.substr(std::min(line.find_first_not_of('#'), line.size())));
+      comment = line.substr(std::min(line.find_first_not_of('#'), line.size()));
       continue;
     }
     if (tecplot_record(line) != TecplotRecord::none) {
       found.is_tecplot = true;
       return found;
     }
-    if (has_number(line)) {
-      found.fields = fields_of(line);
+    if (named ? has_number(whole, *named) : has_number(line)) {
       found.line = number;
-      found.has_decimal_commas = has_decimal_commas(line);
+      read_numbers(whole, header, comment, named, found);
       return found;
     }
-    if (has_header) return found;  // whoever reads the lines says what is wrong with this one
-    found.names = fields_of(line);
-    has_header = true;
+    if (is_open(cells_of(line, named.value_or(Separator::comma)).back())) {
+      SourceLocation{path, number}.fail("quotes do not end on their line: " + quoted_text(line));
+    }
+    if (!header.empty()) return found;  // whoever reads the lines says what is wrong with this one
+    header = whole;
   }
   return found;
 }
@@ -86,84 +146,97 @@ bool same_name(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
 }
 
-std::string joined(const std::vector<std::string_view>& names) {
+std::string joined(const std::vector<std::string>& names) {
   std::string text;
-  for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + std::string(name);
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
   return text;
 }
 
-// A choice among the columns of a table.
+// A choice among columns.
 class Choice {
  public:
-  Choice(const FirstLines& lines, const std::string& path) : lines_(lines), path_(path) {}
+  // `names` where each of the `count` columns has one.
+  Choice(const std::vector<std::string>& names, std::size_t count, const std::string& path)
+      : names_(names), count_(count), path_(path) {}
 
-  [[nodiscard]] TextColumns columns(std::string_view choice) const {
-    TextColumns columns;
-    columns.count = lines_.fields.size();
+  void choose(std::string_view choice, TextColumns& columns) const {
+    columns.count = count_;
     std::vector<std::size_t> coordinates;
-    for (std::string_view rest = choice; coordinates.size() < 4;) {
-      const std::size_t comma = rest.find(',');
-      const std::string_view one = without_blanks(rest.substr(0, comma));
-      if (one.starts_with("by=")) {
-        columns.group = column(one.substr(3));
+    for (const ChoicePart& part : parts_of_choice(choice)) {
+      if (part.key == "by") {
+        columns.group = column(part.name);
       } else {
-        coordinates.push_back(column(one));
+        coordinates.push_back(column(part.whole()));
       }
-      if (comma == std::string_view::npos) break;
-      rest.remove_prefix(comma + 1);
     }
     if (coordinates.size() != 2) {
       fail("two columns are chosen by \"NAME,NAME\" or \"NUMBER,NUMBER\", not by \"" + std::string(choice) + "\"");
     }
     columns.x = coordinates[0];
     columns.y = coordinates[1];
-    return columns;
   }
 
  private:
   // By its number, counted from 1, or by its name.
   [[nodiscard]] std::size_t column(std::string_view choice) const {
-    const bool has_names = lines_.names.size() == lines_.fields.size();
+    const bool has_names = names_.size() == count_;
     std::size_t number = 0;
     const auto [end, error] = std::from_chars(choice.data(), choice.data() + choice.size(), number);
     if (error == std::errc{} && end == choice.data() + choice.size()) {
-      if (number >= 1 && number <= lines_.fields.size()) return number - 1;
+      if (number >= 1 && number <= count_) return number - 1;
     } else if (has_names) {
       for (const bool exact : {true, false}) {
-        for (std::size_t k = 0; k < lines_.names.size(); ++k) {
-          if (exact ? lines_.names[k] == choice : same_name(lines_.names[k], choice)) return k;
+        for (std::size_t k = 0; k < names_.size(); ++k) {
+          if (exact ? names_[k] == choice : same_name(names_[k], choice)) return k;
         }
       }
     }
     fail("has no column " + quoted_text(choice) + "; " +
-         (has_names ? "its columns are " + joined(lines_.names)
-                    : "it has " + std::to_string(lines_.fields.size()) + " columns without names"));
+         (has_names ? "its columns are " + joined(names_)
+                    : "it has " + std::to_string(count_) + " columns without names"));
   }
 
   [[noreturn]] void fail(const std::string& message) const { throw DataError(path_ + ": " + message); }
 
-  const FirstLines& lines_;
+  const std::vector<std::string>& names_;
+  std::size_t count_;
   const std::string& path_;
 };
 
 // Whether the first two names are those of coordinates.
-bool begins_with_coordinates(const std::vector<std::string_view>& names) {
+bool begins_with_coordinates(const std::vector<std::string>& names) {
   if (names.size() < 2) return false;
   if (same_name(names[0], "x") && same_name(names[1], "y")) return true;
-  return latitude_first(std::string(names[0]) + "," + std::string(names[1])) == false;
+  return latitude_first(names[0] + "," + names[1]) == false;
+}
+
+void choose_variables(const std::vector<std::string>& names, std::string_view choice, const std::string& path,
+                      TableHead& head) {
+  if (!choice.empty()) {
+    if (names.empty())
+      throw DataError(path + ": this Tecplot file has no VARIABLES record, whose names choose columns");
+    Choice(names, names.size(), path).choose(choice, head.columns);
+    if (head.columns.group) throw DataError(path + ": zones part the curves of Tecplot files, not a column");
+  } else if (names.size() > 2 && begins_with_coordinates(names)) {
+    head.columns.count = names.size();
+  }
+  if (!head.columns.are_all()) head.names = names[head.columns.x] + "," + names[head.columns.y];
 }
 
 }  // namespace
 
 TableHead read_table_head(std::string_view text, std::string_view choice, const std::string& path) {
-  const FirstLines lines = first_lines_of(text);
+  const FirstLines lines = first_lines_of(text, path);
   TableHead head;
+  head.skipped = lines.skipped;
+  head.columns.is_tecplot = lines.is_tecplot;
+  head.columns.separator = lines.separator;
   if (lines.is_tecplot) {
-    if (!choice.empty()) throw DataError(path + ": columns are chosen of tables, not of Tecplot files");
+    choose_variables(first_variable_names(text, path), choice, path, head);
     return head;
   }
-  const std::size_t count = lines.fields.size();
-  if (lines.has_decimal_commas && (count > 2 || !choice.empty())) {
+  const std::size_t count = lines.cells.size();
+  if (lines.has_decimal_commas) {
     SourceLocation{path, lines.line}.fail(
         "commas separate columns here, and decimals begin with a point; write the numbers with points, as sed "
         "'s/,/./g' "
@@ -171,14 +244,13 @@ TableHead read_table_head(std::string_view text, std::string_view choice, const 
   }
   if (!choice.empty()) {
     if (lines.line == 0) throw DataError(path + ": no points");
-    head.columns = Choice(lines, path).columns(choice);
+    Choice(lines.names, count, path).choose(choice, head.columns);
   } else if (count > 2 && begins_with_coordinates(lines.names) && lines.names.size() == count) {
     head.columns.count = count;
     if (count == 3 && lines.names[2] == "curve") head.columns.group = 2;  // as lober writes several curves
   } else if (count > 2) {
     std::string message = "expected two columns, found " + std::to_string(count);
-    const bool has_all =
-        std::none_of(lines.fields.begin(), lines.fields.end(), [](auto field) { return field.empty(); });
+    const bool has_all = std::none_of(lines.cells.begin(), lines.cells.end(), [](auto field) { return field.empty(); });
     if (lines.names.size() == count) {
       message += ": " + joined(lines.names) + "; choose two by FILE:NAME,NAME";
     } else if (has_all) {
@@ -187,7 +259,7 @@ TableHead read_table_head(std::string_view text, std::string_view choice, const 
     SourceLocation{path, lines.line}.fail(message);
   }
   if (!head.columns.are_all() && lines.names.size() == count) {
-    head.names = std::string(lines.names[head.columns.x]) + "," + std::string(lines.names[head.columns.y]);
+    head.names = lines.names[head.columns.x] + "," + lines.names[head.columns.y];
   }
   return head;
 }

@@ -16,8 +16,13 @@ namespace {
 /// Takes the chunks in their order and builds the zones.
 class Assembler {
  public:
-  Assembler(std::size_t text_size, const TextColumns& columns, CurveFile& file)
-      : text_left_(text_size), is_table_(!columns.are_all()), file_(file) {
+  Assembler(std::size_t text_size, const TableHead& head, CurveFile& file)
+      : text_left_(text_size),
+        columns_(head.columns),
+        is_table_(!columns_.are_all() && !columns_.is_tecplot),
+        line_(head.skipped == 0 ? 1 : 2),
+        implicit_line_(line_),
+        file_(file) {
     file_.format = Format::text;
   }
 
@@ -43,9 +48,7 @@ class Assembler {
  private:
   void append(std::span<const Point> points) {
     if (points.empty()) return;
-    if (variables_line_ != 0 && variables_ != 2) {
-      SourceLocation{file_.path, variables_line_}.fail("expected two variables, found " + std::to_string(variables_));
-    }
+    if (variables_line_ != 0 && variables_ != columns_.count) fail_variables(variables_line_);
     if (!in_zone_) begin_zone(implicit_line_);
     std::vector<Point>& all = file_.zones[zone_].points;
     all.insert(all.end(), points.begin(), points.end());
@@ -73,7 +76,7 @@ class Assembler {
         if (!groups_) begin_curve({}, line);
         break;
       case OtherLine::Kind::group:
-        begin_group(std::string(other.text), line);
+        begin_group(text_of_cell(other.text), line);
         break;
       case OtherLine::Kind::text:
         if (is_table && other.text.front() == '>') {
@@ -139,7 +142,7 @@ class Assembler {
     if (open_record_ == TecplotRecord::variables) return add_variables(text, location);
     if (open_record_ == TecplotRecord::zone) return add_attributes(text, location);
     const bool first_line = file_.format == Format::text && file_.zones.empty() && !header_line_seen_;
-    if (first_line && !has_number(text)) {
+    if (first_line && !(is_table_ ? has_number(text, columns_.separator) : has_number(text))) {
       header_line_seen_ = true;
       file_.header = text;
       return;
@@ -153,9 +156,15 @@ class Assembler {
   }
 
   void add_variables(std::string_view text, const SourceLocation& location) {
-    variables_ += count_variables(text, location);
+    variables_ += variable_names(text, location).size();
     file_.header += text;
-    if (variables_ > 2) location.fail("expected two variables, found " + std::to_string(variables_));
+    if (variables_ > columns_.count) fail_variables(location.line);
+  }
+
+  [[noreturn]] void fail_variables(std::size_t line) const {
+    const std::string expected = columns_.count == 2 ? "two" : std::to_string(columns_.count);
+    SourceLocation{file_.path, line}.fail("expected " + expected + " variables, found " + std::to_string(variables_) +
+                                          (variables_ > 2 ? "; choose two by FILE:NAME,NAME" : ""));
   }
 
   void add_attributes(std::string_view text, const SourceLocation& location) {
@@ -214,12 +223,13 @@ class Assembler {
   };
 
   std::size_t text_left_;  ///< bytes after the last chunk
-  bool is_table_;          ///< whether some of several columns are read, which no Tecplot file has
-  std::size_t line_ = 1;   ///< number of the first line of the next chunk
+  const TextColumns& columns_;
+  bool is_table_;              ///< whether some of several columns are read, which no Tecplot file has
+  std::size_t line_;           ///< number of the first line of the next chunk
+  std::size_t implicit_line_;  ///< where a zone begins that has no ZONE line
   CurveFile& file_;
   TecplotZone header_;                               ///< header of the last zone
   TecplotRecord open_record_ = TecplotRecord::none;  ///< that the next line may continue
-  std::size_t implicit_line_ = 1;                    ///< where a zone begins that has no ZONE line
   std::size_t variables_ = 0;
   std::size_t variables_line_ = 0;  ///< where they are named; 0: nowhere
   bool in_zone_ = false;
@@ -236,8 +246,8 @@ class Assembler {
 
 void read_text(std::string_view text, std::string_view columns, std::size_t chunk_size, CurveFile& file) {
   const TableHead head = read_table_head(text, columns, file.path);
-  Assembler assembler(text.size(), head.columns, file);
-  std::string_view rest = text;
+  std::string_view rest = text.substr(head.skipped);
+  Assembler assembler(rest.size(), head, file);
   const auto next = [&](TextChunk& chunk) {
     if (rest.empty()) return false;
     const std::size_t line_end = chunk_size < rest.size() ? rest.find('\n', chunk_size - 1) : std::string_view::npos;

@@ -42,57 +42,22 @@ const char* parse_fast(const char* p, const char* end, Point& point) {
 
 }  // namespace
 
-std::vector<std::string_view> fields_of(std::string_view line) {
-  const char* p = line.data();
-  const char* const end = p + line.size();
-  const auto take = [&](const char* from, const char* to) {
-    return std::string_view(from, static_cast<std::size_t>(to - from));
-  };
-  std::vector<std::string_view> fields;
-  bool after_separator = false;
-  for (p = skip_blanks(p, end); (p != end && *p != '#') || after_separator; p = skip_blanks(p, end)) {
-    const char* const begin = p;
-    if (p != end && *p == '"') {
-      while (++p != end && *p != '"') {
-      }
-      fields.push_back(take(begin + 1, p));
-      if (p != end) ++p;
-    } else {
-      while (p != end && !is_blank(*p) && !is_separator(*p) && *p != '#') ++p;
-      fields.push_back(take(begin, p));
-    }
-    p = skip_blanks(p, end);
-    after_separator = p != end && is_separator(*p);
-    if (after_separator) ++p;
-  }
-  return fields;
-}
-
-std::string quoted_text(std::string_view text) {
-  constexpr std::size_t longest = 40;
-  std::string result = "\"";
-  for (const char c : text.substr(0, longest)) {
-    const auto byte = static_cast<unsigned char>(c);
-    result += byte < 0x20 || byte == 0x7F ? '?' : c;
-  }
-  return result + (text.size() > longest ? "...\"" : "\"");
-}
-
 std::string parse_point_line(std::string_view line, Point& point) {
-  const std::vector<std::string_view> fields = fields_of(line);
-  std::size_t columns = fields.size();
-  for (std::size_t i = 0; i < fields.size() && i < 2; ++i) {
-    if (fields[i].empty()) {
-      if (fields.size() == 2) --columns;
+  const std::vector<std::string_view> cells = cells_of(line, Separator::blanks);
+  std::size_t columns = cells.size();
+  for (std::size_t i = 0; i < cells.size() && i < 2; ++i) {
+    const std::string_view cell = inside_quotes(cells[i]);
+    if (cell.empty()) {
+      if (cells.size() == 2) --columns;
       continue;
     }
-    switch (parse_number(fields[i], i == 0 ? point.x : point.y)) {
+    switch (parse_number(cell, i == 0 ? point.x : point.y)) {
       case NumberKind::finite:
         break;
       case NumberKind::not_a_number:
-        return "not a number: " + quoted_text(fields[i]);
+        return "not a number: " + quoted_text(cell);
       case NumberKind::not_finite:
-        return "not a finite number: " + quoted_text(fields[i]);
+        return "not a finite number: " + quoted_text(cell);
     }
   }
   if (columns == 2) return {};
@@ -101,14 +66,6 @@ std::string parse_point_line(std::string_view line, Point& point) {
     error += "; commas separate columns here, and decimals begin with a point";
   }
   return error;
-}
-
-bool has_number(std::string_view line) {
-  double ignored = 0;
-  for (const std::string_view field : fields_of(line)) {
-    if (!field.empty() && parse_number(field, ignored) != NumberKind::not_a_number) return true;
-  }
-  return false;
 }
 
 namespace {
@@ -121,27 +78,28 @@ bool is_nan(std::string_view token) {
 }
 
 // A line that parts two curves: both coordinates are NaN, or empty where there are other columns.
-bool is_gap(const std::vector<std::string_view>& fields, const TextColumns& columns) {
-  if (fields.size() != columns.count) return false;
-  const std::string_view x = fields[columns.x], y = fields[columns.y];
+bool is_gap(const std::vector<std::string_view>& cells, const TextColumns& columns) {
+  if (cells.size() != columns.count) return false;
+  const std::string_view x = inside_quotes(cells[columns.x]), y = inside_quotes(cells[columns.y]);
   return (is_nan(x) && is_nan(y)) || (!columns.are_all() && x.empty() && y.empty());
 }
 
 // A line with more columns than the two that are wanted. Returns its fault, or an empty string.
-std::string parse_wide_line(const std::vector<std::string_view>& fields, const TextColumns& columns, Point& point) {
-  if (fields.size() != columns.count) {
-    return "expected " + std::to_string(columns.count) + " columns, as in the first line, found " +
-           std::to_string(fields.size());
+std::string parse_wide_line(const std::vector<std::string_view>& cells, const TextColumns& columns, Point& point) {
+  if (cells.size() != columns.count) {
+    return "expected " + std::to_string(columns.count) + " columns, " +
+           (columns.is_tecplot ? "one for each variable" : "as in the first line") + ", found " +
+           std::to_string(cells.size());
   }
   for (const bool second : {false, true}) {
-    const std::string_view field = fields[second ? columns.y : columns.x];
-    switch (parse_number(field, second ? point.y : point.x)) {
+    const std::string_view cell = inside_quotes(cells[second ? columns.y : columns.x]);
+    switch (parse_number(cell, second ? point.y : point.x)) {
       case NumberKind::finite:
         break;
       case NumberKind::not_a_number:
-        return "not a number: " + quoted_text(field);
+        return "not a number: " + quoted_text(cell);
       case NumberKind::not_finite:
-        return "not a finite number: " + quoted_text(field);
+        return "not a finite number: " + quoted_text(cell);
     }
   }
   return {};
@@ -152,8 +110,8 @@ class ChunkReader {
  public:
   ChunkReader(TextChunk& chunk, const TextColumns& columns) : chunk_(chunk), columns_(columns) {}
 
-  // False at a line that cannot be read.
-  bool take(std::string_view line) {
+  // `line` begins behind the blanks of `whole`. False at a line that cannot be read.
+  bool take(std::string_view line, std::string_view whole) {
     if (line.empty()) {
       const bool again = !chunk_.others.empty() && chunk_.others.back().kind == OtherLine::Kind::blank &&
                          chunk_.others.back().points_before == chunk_.points.size();
@@ -161,29 +119,16 @@ class ChunkReader {
       return true;
     }
     if (line.front() == '#') return true;
-    if (columns_.are_all()) return take_two(line);
-    const std::vector<std::string_view> fields = fields_of(line);
-    if (is_gap(fields, columns_)) return note(OtherLine::Kind::gap, line);
-    Point point;
-    std::string message = parse_wide_line(fields, columns_, point);
-    if (!message.empty()) {
-      // A header or a record is for whoever joins the chunks; so is whether there may be one here.
-      if (!has_number(line) || line.front() == '>') return note(OtherLine::Kind::text, line);
-      return fail(std::move(message));
-    }
-    if (columns_.group && (!group_ || *group_ != fields[*columns_.group])) {
-      group_ = fields[*columns_.group];
-      note(OtherLine::Kind::group, *group_);
-    }
-    chunk_.points.push_back(point);
-    return true;
+    if (line.front() == '>') return note(OtherLine::Kind::text, line);
+    return columns_.are_all() ? take_two(line) : take_wide(line, whole);
   }
 
  private:
   bool take_two(std::string_view line) {
+    const bool is_quoted = line.front() == '"' && !columns_.is_tecplot;
     Point point;
-    if (!begins_number(line.front())) {
-      const bool gap = (line.front() == 'n' || line.front() == 'N') && is_gap(fields_of(line), columns_);
+    if (!begins_number(line.front()) && !is_quoted) {
+      const bool gap = (line.front() == 'n' || line.front() == 'N') && is_gap(cut(line), columns_);
       return note(gap ? OtherLine::Kind::gap : OtherLine::Kind::text, line);
     }
     std::string message = parse_point_line(line, point);
@@ -191,8 +136,33 @@ class ChunkReader {
       chunk_.points.push_back(point);
       return true;
     }
-    if (is_gap(fields_of(line), columns_)) return note(OtherLine::Kind::gap, line);
-    return fail(std::move(message));
+    if (is_gap(cut(line), columns_)) return note(OtherLine::Kind::gap, line);
+    return is_quoted ? note(OtherLine::Kind::text, line) : fail(std::move(message));
+  }
+  bool take_wide(std::string_view line, std::string_view whole) {
+    if (columns_.is_tecplot && !begins_number(line.front())) return note(OtherLine::Kind::text, line);
+    cut_into_cells(columns_.separator == Separator::tab ? whole : line, columns_.separator, columns_.count, cells_);
+    if (is_gap(cells_, columns_)) return note(OtherLine::Kind::gap, line);
+    Point point;
+    if (!cells_.empty() && is_open(cells_.back())) {
+      return fail("quotes do not end on their line: " + quoted_text(cells_.back()));
+    }
+    std::string message = parse_wide_line(cells_, columns_, point);
+    if (!message.empty()) {
+      // A header or a record is for whoever joins the chunks; so is whether there may be one here.
+      if (!has_number(line, columns_.separator)) return note(OtherLine::Kind::text, line);
+      return fail(std::move(message));
+    }
+    if (columns_.group && (!group_ || *group_ != cells_[*columns_.group])) {
+      group_ = cells_[*columns_.group];
+      note(OtherLine::Kind::group, *group_);
+    }
+    chunk_.points.push_back(point);
+    return true;
+  }
+  const std::vector<std::string_view>& cut(std::string_view line) {
+    cut_into_cells(line, Separator::blanks, 2, cells_);
+    return cells_;
   }
   bool note(OtherLine::Kind kind, std::string_view text) {
     chunk_.others.push_back({kind, text, chunk_.lines, chunk_.points.size()});
@@ -206,6 +176,7 @@ class ChunkReader {
   TextChunk& chunk_;
   const TextColumns& columns_;
   std::optional<std::string_view> group_;
+  std::vector<std::string_view> cells_;  // those of the last line, whose memory is used again
 };
 
 }  // namespace
@@ -220,6 +191,7 @@ void parse_chunk(TextChunk& chunk, const TextColumns& columns) {
   const char* p = chunk.text.data();
   const char* const end = p + chunk.text.size();
   while (p != end) {
+    const char* const begin = p;
     p = skip_blanks(p, end);
     Point point;
     const char* line_end = nullptr;
@@ -229,7 +201,10 @@ void parse_chunk(TextChunk& chunk, const TextColumns& columns) {
     } else {
       line_end = p == end ? end : static_cast<const char*>(std::memchr(p, '\n', static_cast<std::size_t>(end - p)));
       if (line_end == nullptr) line_end = end;
-      if (!reader.take({p, static_cast<std::size_t>(line_end - p)})) return;
+      const auto until_end = [&](const char* from) {
+        return std::string_view(from, static_cast<std::size_t>(line_end - from));
+      };
+      if (!reader.take(until_end(p), until_end(begin))) return;
     }
     ++chunk.lines;
     p = line_end == end ? end : line_end + 1;

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/files/text_cells.hpp"
 #include "kernels/point.hpp"
 
 namespace lober::detail {
@@ -15,8 +16,10 @@ namespace lober::detail {
 /// The columns of a text file that are read, counted from 0.
 struct TextColumns {
   std::size_t x = 0, y = 1;
-  std::size_t count = 2;             ///< the number of columns that each line has
-  std::optional<std::size_t> group;  ///< the column whose values say which curve a point belongs to
+  std::size_t count = 2;                    ///< the number of columns that each line has
+  std::optional<std::size_t> group;         ///< the column whose values say which curve a point belongs to
+  Separator separator = Separator::blanks;  ///< that of lines with more columns than the two
+  bool is_tecplot = false;                  ///< whether records begin with words, and quotes hold names, not numbers
 
   /// Whether each line is a point and nothing else.
   [[nodiscard]] bool are_all() const { return x == 0 && y == 1 && count == 2 && !group; }
@@ -28,7 +31,7 @@ struct OtherLine {
     text,   ///< does not begin like a number, and is neither blank nor a comment
     blank,  ///< no characters but blanks
     gap,    ///< both coordinates are NaN
-    group,  ///< `text` is the group of the points from here on
+    group,  ///< `text` is the cell with the group of the points from here on
   };
   Kind kind = Kind::text;
   std::string_view text;
@@ -50,24 +53,11 @@ struct TextChunk {
   std::optional<LineError> error;  ///< reading stopped there
 };
 
-[[nodiscard]] constexpr bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
-}
-
 /// Fills the chunk from its `text`.
 void parse_chunk(TextChunk& chunk, const TextColumns& columns = {});
 
-/// Reads one line of any content as a point. Returns the fault of the line, or an empty string.
+/// Reads one line of any content as a point, two numbers with any separator between them. Returns the fault of the
+/// line, or an empty string.
 [[nodiscard]] std::string parse_point_line(std::string_view line, Point& point);
-
-/// Cuts a line into fields at blanks, or at a comma or semicolon with any blanks around it. A separator at the
-/// beginning or the end, or two in a row, leave an empty field; quotes hold one together. A '#' ends the line.
-[[nodiscard]] std::vector<std::string_view> fields_of(std::string_view line);
-
-/// True when some field of the line is a number (nan and inf included): such a line is never a header.
-[[nodiscard]] bool has_number(std::string_view line);
-
-/// Text of a file for a message: quoted, shortened, without control characters.
-[[nodiscard]] std::string quoted_text(std::string_view text);
 
 }  // namespace lober::detail

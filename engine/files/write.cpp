@@ -44,7 +44,7 @@ void write_curves(const std::string& path, std::span<const Zone> zones, const Wr
   }
   if (zones.size() > 1 && !entry->holds_several) {
     throw UsageError(path + ": several curves need another format than " + std::string(entry->name) +
-                     ", which holds one; curves are written as " + written_endings());
+                     ", which holds one; several are written as " + written_endings(true));
   }
   if (zones.empty() && !entry->holds_several) throw UsageError(path + ": there is no curve to write");
   for (const Zone& zone : zones) require_finite(path, zone.points);

@@ -119,8 +119,10 @@ enum class ExportFormat : std::uint8_t {
   json_lines,  ///< one object a line; numbers that are not finite are null
   npy,         ///< a structured array, texts as bytes; no lists; unknown values are NaN, unknown counts -1
   netcdf,  ///< NetCDF, classic: a variable for each column along the dimension row; no lists; all numbers are float64
+  hdf5,    ///< HDF5: the same as datasets of one axis; needs the HDF5 library, and memory for the whole table
 };
-/// The format that the end of a file's name stands for (.csv, .jsonl, .npy, .nc). Throws UsageError for any other end.
+/// The format that the end of a file's name stands for (.csv, .jsonl, .npy, .nc, .h5 or .hdf5). Throws UsageError for
+/// any other end.
 [[nodiscard]] LOBER_API ExportFormat export_format(const std::string& path);
 
 /// Numbers of jobs of an export.
@@ -130,8 +132,8 @@ struct ExportCounts {
 };
 
 /// Writes the jobs of the store's plan that have a result or have failed, in the order of the plan, numbers in the
-/// shortest form that reads back to the same bits. A damaged result is left out, like a missing one. CSV, NPY and
-/// NetCDF hold one operation, which has to be named when the plan has several. The file appears when it is complete;
+/// shortest form that reads back to the same bits. A damaged result is left out, like a missing one. CSV, NPY, NetCDF
+/// and HDF5 hold one operation, which has to be named when the plan has several. The file appears when it is complete;
 /// "-" is standard output. Throws DataError, UsageError.
 LOBER_API ExportCounts export_results(const std::string& store, const std::string& path, ExportFormat format,
                                       const std::optional<std::string>& operation = {});

@@ -17,7 +17,7 @@ namespace {
 
 // Format, SHA-256, and of each zone its title and points.
 py::tuple read_zones(const std::string& path, bool hash, const std::string& columns) {
-  CurveFile file = long_call(0, [&] { return read_curve_file(path, {.hash = hash, .columns = columns}); });
+  CurveFile file = long_call(0, [&] { return read_curves(path, {.hash = hash, .columns = columns}); });
   py::list zones;
   for (Zone& zone : file.zones) zones.append(py::make_tuple(py::bytes(zone.title), array_of(std::move(zone.points))));
   return py::make_tuple(name(file.format), file.sha256, zones);
@@ -49,8 +49,13 @@ void write_zones(const std::string& path, const std::vector<std::pair<std::strin
     const std::span<const Point> points = points_of(array);
     copies.push_back({title, {points.begin(), points.end()}, 1});
   }
-  WriteOptions options{.closed = closed, .provenance = {{"lober", std::string(version())}}};
+  WriteOptions options{.closed = closed};
   if (!format.empty()) options.format = format_named(format);
+  // Tables of text have no comments unless they are asked for: not every reader expects them.
+  const std::optional<Format> known = options.format ? options.format : format_of_name(path);
+  if (!notes.empty() || (known != Format::csv && known != Format::text)) {
+    options.provenance.emplace_back("lober", std::string(version()));
+  }
   options.provenance.insert(options.provenance.end(), notes.begin(), notes.end());
   const py::gil_scoped_release released;
   write_curves(path, copies, options);

@@ -96,9 +96,8 @@ def _periods_of(periods: Any) -> tuple[float, float]:
 
 
 def read_zones(path: Path, *, columns: str = "") -> CurveFile:
-    """All zones of a file, with the SHA-256 of its bytes; `columns` as in `read`, "lon,lat", "2,3,by=id" or
-    "/group/x,/group/y". Raises
-    DataError.
+    """All curves of FILE or FILE:COLUMNS, or the one of FILE#ZONE, as in `read`, with the SHA-256 of the file. `columns`
+    are the same as behind the colon: "lon,lat", "2,3,by=id", "/group/x,/group/y". Raises DataError.
     """
     name = os.fspath(path)
     format_name, sha256, zones = _lober.read_zones(name, True, columns)
@@ -116,8 +115,8 @@ def write(
     """Writes a curve, or a mapping of titles to curves, into one file.
 
     The ending names the format, or `format` does: `formats()` lists them. GeoJSON, WKT and VTK hold polygons where the
-    curves are closed, and lines where they are not. `notes` are kept beside the curves in formats that have room for
-    them, with the version of lober. Numbers read back to the same bits. The file appears under its name when it is
+    curves are closed, and lines where they are not. `notes` are kept beside the curves, with the version of lober, in all
+    formats but NPY and raw float64; in tables of text they are comments, which are there only where there are notes. Numbers read back to the same bits. The file appears under its name when it is
     complete. Raises UsageError, DataError.
     """
     zones = curve.items() if isinstance(curve, Mapping) else [("", curve)]

@@ -94,6 +94,37 @@ def test_pandas(tmp_path):
     assert np.array_equal(lober.read(f"{tmp_path}/frame.csv:lon,lat"), ring(9))
 
 
+@pytest.mark.parametrize("ending", ["csv", "txt"])
+def test_notes_of_tables(tmp_path, ending):
+    path = tmp_path / f"c.{ending}"
+    lober.write(path, ring(9), notes={"source": "a\nb, c"})
+    assert path.read_text().splitlines()[:2] == [f"# lober: {lober.__version__}", "# source: a b, c"]
+    assert lober.read(path).tobytes() == ring(9).tobytes()
+    lober.write(path, CURVES, notes={"source": "x y"})
+    same(lober.read_zones(path).zones)
+    if ending == "csv":
+        pandas = pytest.importorskip("pandas")
+        assert list(pandas.read_csv(path, comment="#").columns) == ["x", "y", "curve"]
+    lober.write(path, ring(9))
+    assert not path.read_text().startswith("#")
+
+
+def test_tables_of_pandas(tmp_path):
+    pandas = pytest.importorskip("pandas")
+    days = pandas.date_range("2020-01-01", periods=18, freq="h")
+    both = np.concatenate([ring(9), ring(9, (2, 1))])
+    frame = pandas.DataFrame({"time": days, "place": ['Lake #1, "north"'] * 9 + ["b;c\td"] * 9, "Lon (deg)": both[:, 0],
+                              "Lat, deg": both[:, 1], "depth": [None] * 18})
+    for separator, quoting in ((",", csv.QUOTE_MINIMAL), (";", csv.QUOTE_ALL), ("\t", csv.QUOTE_NONNUMERIC)):
+        for index in (True, False):
+            for encoding in ("utf-8", "utf-8-sig"):
+                frame.to_csv(tmp_path / "f.csv", sep=separator, quoting=quoting, index=index, encoding=encoding)
+                zones = lober.read_zones(f'{tmp_path}/f.csv:Lon (deg),"Lat, deg",by=place').zones
+                assert [zone.title for zone in zones] == ['Lake #1, "north"', "b;c\td"]
+                same(zones, {"a": both[:9], "b": both[9:]})
+                assert lober.read(f'{tmp_path}/f.csv:Lon (deg),"Lat, deg",by=place#b;c\td').tobytes() == both[9:].tobytes()
+
+
 def test_scipy(tmp_path):
     scipy_io = pytest.importorskip("scipy.io")
     require("mat")
@@ -103,6 +134,27 @@ def test_scipy(tmp_path):
         same(lober.read_zones(tmp_path / "m.mat").zones, {"0": both[0], "1": both[1]})
     scipy_io.savemat(tmp_path / "s.mat", {"orbit": {"x": both[0, :, 0], "y": both[0, :, 1]}})
     assert lober.read(f"{tmp_path}/s.mat:orbit.x,orbit.y").tobytes() == both[0].tobytes()
+
+
+def test_lists_and_complex_numbers_of_scipy(tmp_path):
+    scipy_io = pytest.importorskip("scipy.io")
+    require("mat")
+    one, two = ring(25), ring(31, (2, 1))
+    cells = np.empty(2, dtype=object)
+    cells[:] = [one, two]
+    orbits = np.zeros(2, dtype=[("x", object), ("y", object)])
+    for k, curve in enumerate((one, two)):
+        orbits[k] = (curve[:, 0], curve[:, 1])
+    z = one @ [1, 1j]
+    for options in ({}, {"do_compression": True}):
+        scipy_io.savemat(tmp_path / "m.mat", {"cells": cells, "orbits": orbits, "z": z}, **options)
+        for choice in ("cells", "orbits.x,orbits.y"):
+            same(lober.read_zones(f"{tmp_path}/m.mat:{choice}").zones, {"0": one, "1": two})
+        assert lober.read(f"{tmp_path}/m.mat:z").tobytes() == one.tobytes()
+    np.save(tmp_path / "z.npy", z)
+    np.save(tmp_path / "i.npy", (1000 * one).astype("i4"))
+    assert lober.read(tmp_path / "z.npy").tobytes() == one.tobytes()
+    assert np.array_equal(lober.read(tmp_path / "i.npy"), (1000 * one).astype("i4"))
 
 
 def test_h5py(tmp_path):

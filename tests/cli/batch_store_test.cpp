@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "lober/curve/files.hpp"
+#include "lober/curve/formats.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/cli/programs.hpp"
 
@@ -66,12 +67,21 @@ TEST_F(BatchStore, DeletedWhileTheBatchRuns) {
   EXPECT_EQ(run({"batch", "export", "s.rescued"}).out, run({"batch", "export", "whole"}).out);
 }
 
-// The numbers of a NetCDF file are those of the CSV; it is read as a file of curves, two of its columns at a time.
-TEST_F(BatchStore, ExportsNetCdf) {
+// The numbers of a NetCDF or an HDF5 file are those of the CSV; it is read as a file of curves, two of its columns at a
+// time.
+TEST_F(BatchStore, ExportsNetCdfAndHdf5) {
   write_curves(6, 40);
   write("separ.5", "0 0\n1 1\n1 0\n0 1\n");  // not simple: its jobs fail
   EXPECT_EQ(run({"batch", "run", "job.toml", "--store", "s", "-q"}).status, 1);
-  ASSERT_EQ(run({"batch", "export", "s", "-o", "t.nc"}).status, 0);
+  std::vector<std::string> tables{"t.nc", "t.h5"};
+  for (const FormatInfo& format : formats()) {
+    if (format.format == Format::hdf5 && !format.missing.empty()) tables.pop_back();
+  }
+  for (const std::string& table : tables) {
+    ASSERT_EQ(run({"batch", "export", "s", "-o", table}).status, 0);
+    ASSERT_EQ(run({"batch", "export", "s", "-o", "again." + table}).status, 0);
+    EXPECT_EQ(read(table), read("again." + table));
+  }
   std::istringstream csv(run({"batch", "export", "s", "--format", "csv"}).out);
   const auto cells = [](const std::string& line) {
     std::vector<std::string> all(1);
@@ -92,14 +102,16 @@ TEST_F(BatchStore, ExportsNetCdf) {
   for (const char* column : {"c2", "intersection", "rounding_union", "crossings"}) {
     const auto at = static_cast<std::size_t>(std::find(names.begin(), names.end(), column) - names.begin());
     ASSERT_LT(at, names.size()) << column;
-    const CurveFile file = read_curve_file(folder() / "t.nc", {.columns = std::string("c1,") + column});
-    std::size_t k = 0;
-    for (const Zone& zone : file.zones) {  // parted where jobs have failed
-      for (const Point& point : zone.points) {
-        while (rows[k][at].empty()) ++k;
-        EXPECT_EQ(point.x, std::stod(rows[k][c1]));
-        EXPECT_EQ(point.y, std::stod(rows[k][at])) << column;
-        ++k;
+    for (const std::string& table : tables) {
+      const CurveFile file = read_curve_file(folder() / table, {.columns = std::string("c1,") + column});
+      std::size_t k = 0;
+      for (const Zone& zone : file.zones) {  // parted where jobs have failed
+        for (const Point& point : zone.points) {
+          while (rows[k][at].empty()) ++k;
+          EXPECT_EQ(point.x, std::stod(rows[k][c1]));
+          EXPECT_EQ(point.y, std::stod(rows[k][at])) << column << ' ' << table;
+          ++k;
+        }
       }
     }
     EXPECT_EQ(std::count_if(rows.begin(), rows.end(), [&](const auto& row) { return row[at].empty(); }), 5) << column;

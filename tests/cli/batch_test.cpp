@@ -1,6 +1,7 @@
 // `lober batch` as a user runs it.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <regex>
@@ -80,6 +81,49 @@ TEST_F(Batch, OperationsAreListedWithTheirOptions) {
                 "there are overlay, interior, regions, winding, tangle, manifold_tangle, densify, simplify, transport"),
             std::string::npos);
   EXPECT_NE(run({"batch", "manifest"}).out.find("image_of"), std::string::npos);
+}
+
+// Curves that were stored modulo a period, as the single command reads them.
+TEST_F(Batch, CurvesHavePeriods) {
+  std::string seam, right;
+  for (int k = 0; k < 60; ++k) {
+    const double x = 0.95 + 0.2 * std::cos(k * 0.10472), y = 0.2 * std::sin(k * 0.10472);
+    seam += std::to_string(x >= 1 ? x - 1 : x) + " " + std::to_string(y) + "\n";
+    right += std::to_string(0.05 + 0.2 * std::cos(k * 0.10472)) + " " + std::to_string(y) + "\n";
+  }
+  write("seam", seam);
+  write("right", right);
+  const auto manifest = [](const std::string& periodic) {
+    return "operation = \"overlay\"\npairs = [[\"seam\", \"right\"]]\n" + periodic;
+  };
+  write("job.toml", manifest("periodic = \"x=1\"\n"));
+  EXPECT_EQ(report({"job.toml"})["failed"], 0);
+  const nlohmann::json found = nlohmann::json::parse(exported("job.results", "jsonl"));
+  const nlohmann::json single = overlay({"seam", "right", "--periodic", "x=1"});
+  EXPECT_GT(found["intersection"], 0.01);
+  EXPECT_EQ(found["intersection"], single["areas"]["intersection"]);
+  EXPECT_EQ(report({"job.toml"})["run"], 0);
+  // Other periods are other inputs; without them the curve that jumps is not simple.
+  write("job.toml", manifest("periodic = [\"x=1\", \"y=2pi\"]\n"));
+  EXPECT_EQ(report({"job.toml"})["run"], 1);
+  write("job.toml", manifest(""));
+  EXPECT_EQ(report({"job.toml"}, 1)["failed"], 1);
+  write("job.toml", manifest("periodic = \"x=0\"\n"));
+  const Outcome wrong = run({"batch", "run", "job.toml"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_NE(wrong.err.find("job.toml:3: periodic: has to be \"x=PERIOD\""), std::string::npos) << wrong.err;
+}
+
+// A number behind '#' is that of a group where a column parts curves, as the single command has it.
+TEST_F(Batch, GroupsAreChosenByTheirNumbers) {
+  write("ids.csv", "id,x,y\n7,0,0\n7,2,0\n7,2,2\n0,5,5\n0,6,5\n0,6,7\n");
+  write("job.toml", "operation = \"overlay\"\npairs = [[\"ids.csv:x,y,by=id#7\", \"ids.csv:x,y,by=id#0\"]]\n");
+  EXPECT_EQ(report({"job.toml"})["failed"], 0);
+  const nlohmann::json found = nlohmann::json::parse(exported("job.results", "jsonl"));
+  EXPECT_EQ(found["c1"], 2);
+  EXPECT_EQ(found["c2"], 1);
+  write("job.toml", "operation = \"overlay\"\npairs = [[\"ids.csv:x,y,by=id#7\", \"ids.csv:x,y,by=id#1\"]]\n");
+  EXPECT_EQ(run({"batch", "run", "job.toml"}).status, 2);
 }
 
 TEST_F(Batch, FinishedWorkIsSkippedAndEditedInputsAreNot) {

@@ -126,6 +126,47 @@ TEST_F(Outputs, HaveTheEndingsOfTheirFormats) {
   }
 }
 
+// --format names the format whatever the ending is; several curves need one that holds them.
+TEST_F(Outputs, HaveTheFormatThatIsNamed) {
+  write_curve("a", box(0, 0, 2, 2));
+  write_curve("b", box(1, 1, 3, 3));
+  EXPECT_EQ(run({"overlay", "a", "b", "--lobes", "l.foo", "--format", "csv"}).status, 0);
+  EXPECT_NE(read("l.foo").find("x,y,curve"), std::string::npos);
+  EXPECT_EQ(read_curve_file(folder() / "l.foo").zones.size(), 2U);
+  const Outcome ending = run({"overlay", "a", "b", "--lobes", "l.foo"});
+  EXPECT_EQ(ending.status, 2);
+  EXPECT_NE(ending.err.find("or name a format by --format"), std::string::npos) << ending.err;
+  for (const std::vector<std::string>& extra : {std::vector<std::string>{"--lobes", "l.npy"},
+                                                std::vector<std::string>{"--lobes", "l.csv", "--format", "npy"}}) {
+    std::vector<std::string> arguments{"overlay", "a", "b"};
+    arguments.insert(arguments.end(), extra.begin(), extra.end());
+    const Outcome one = run(arguments);
+    EXPECT_EQ(one.status, 2) << one.err;
+    EXPECT_NE(one.err.find("holds one; use .csv, .txt, .dat (tecplot)"), std::string::npos) << one.err;
+  }
+}
+
+// Tables of text say where they come from, and are read back.
+TEST_F(Outputs, OfTextHaveNotes) {
+  write_curve("a", box(0, 0, 2, 2));
+  for (const char* const name : {"d.csv", "d.txt"}) {
+    ASSERT_EQ(run({"densify", "a", "--max-length", "0.5", "-o", name}).status, 0);
+    const std::string text = read(name);
+    EXPECT_TRUE(text.starts_with("# lober: ")) << text;
+    EXPECT_NE(text.find("\n# input 1: a sha256 "), std::string::npos) << text;
+    EXPECT_EQ(read_curve_file(folder() / name).zones.at(0).points.size(), 16U);
+  }
+  EXPECT_FALSE(run({"densify", "a", "--max-length", "0.5", "-o", "-"}).out.starts_with("#"));
+}
+
+TEST_F(Outputs, StandardInputIsReadOnce) {
+  write("two", "ZONE\n0 0\n1 0\n1 1\nZONE\n0 0\n1 0\n0 1\n");
+  const Outcome twice = run_in_bash("lober overlay -#0 -#1 < two");
+  EXPECT_EQ(twice.status, 2);
+  EXPECT_NE(twice.err.find("standard input is named twice"), std::string::npos) << twice.err;
+  EXPECT_EQ(run_in_bash("lober overlay -#0 two#1 --areas-only < two").status, 0);
+}
+
 TEST_F(Outputs, OfThePublishedFormReplaceEarlierResultsOnly) {
   write_curve("c.dat", box(5, 5, 6, 6));
   const std::string curve = read("c.dat");

@@ -71,6 +71,20 @@ TEST_F(WindingProgram, IsExactAboutVerticesEdgesAndAllElse) {
   EXPECT_GT(many, 300U);
 }
 
+// Points are named as curves are: by columns, by zones.
+TEST_F(WindingProgram, ReadsPointsOfColumnsAndZones) {
+  write_curve("square", box(0, 0, 2, 2));
+  write("drifters.csv", "time,x,y,id\n2020-01-01 00:00:00,1,1,a\n2020-01-01 01:00:00,3,1,b\n,0.5,1.5,a\n");
+  EXPECT_EQ(winding({"square", "--at", "drifters.csv:x,y"})["points"].size(), 3U);
+  const Json found = winding({"square", "--at", "drifters.csv:x,y,by=id#a", "drifters.csv:2,3,by=4#b"})["points"];
+  ASSERT_EQ(found.size(), 3U);
+  for (const std::size_t k : {0U, 1U, 2U}) EXPECT_EQ(found[k]["winding"], k < 2 ? 1 : 0);
+  const Outcome missing = run({"winding", "square", "--at", "drifters.csv:x,y,by=id#c"});
+  EXPECT_EQ(missing.status, 1);
+  EXPECT_NE(missing.err.find("has no zone titled \"c\""), std::string::npos) << missing.err;
+  EXPECT_EQ(run({"winding", "square", "--at", "drifters.csv:x,y", "--json", "drifters.csv"}).status, 2);
+}
+
 TEST_F(WindingProgram, TellsThePrincipalValueOnTheCurve) {
   write_curve("square", box(0, 0, 2, 2));
   const Json found = winding({"square", "--at", "1,0", "2,2", "1,1", "-1,1"});

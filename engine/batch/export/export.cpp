@@ -97,7 +97,8 @@ ExportFormat export_format(const std::string& path) {
   if (path.ends_with(".jsonl")) return ExportFormat::json_lines;
   if (path.ends_with(".npy")) return ExportFormat::npy;
   if (path.ends_with(".nc")) return ExportFormat::netcdf;
-  throw UsageError(path + ": the name has to end in .csv, .jsonl, .npy or .nc");
+  if (path.ends_with(".h5") || path.ends_with(".hdf5")) return ExportFormat::hdf5;
+  throw UsageError(path + ": the name has to end in .csv, .jsonl, .npy, .nc or .h5");
 }
 
 ExportCounts detail::export_results(const Store& store, const std::string& path, ExportFormat format,
@@ -116,6 +117,8 @@ ExportCounts detail::export_results(const Store& store, const std::string& path,
     write_csv(file, plan, operation_for(plan, operation), results);
   } else if (format == ExportFormat::netcdf) {
     write_netcdf(file, plan, operation_for(plan, operation), results);
+  } else if (format == ExportFormat::hdf5) {
+    write_hdf5(file, plan, operation_for(plan, operation), results);
   } else {
     write_npy_table(file, plan, operation_for(plan, operation), results);
   }

@@ -13,6 +13,7 @@ namespace lober::detail {
 using EachResult = std::function<void(const std::function<void(const Result&)>&)>;
 
 void write_csv(OutputFile& file, const Plan& plan, const Operation& operation, const EachResult& results);
+void write_hdf5(OutputFile& file, const Plan& plan, const Operation& operation, const EachResult& results);
 void write_json_lines(OutputFile& file, const Plan& plan, const EachResult& results);
 void write_netcdf(OutputFile& file, const Plan& plan, const Operation& operation, const EachResult& results);
 void write_npy_table(OutputFile& file, const Plan& plan, const Operation& operation, const EachResult& results);

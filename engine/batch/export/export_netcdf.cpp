@@ -106,13 +106,7 @@ void put_text(std::string& bytes, std::string text, std::size_t width) {
 
 void put_swept(std::string& bytes, const OptionValue* value, const SweptColumn& column) {
   if (column.is_text()) return put_text(bytes, value == nullptr ? std::string() : to_string(*value), column.width);
-  double number = std::numeric_limits<double>::quiet_NaN();
-  if (value != nullptr) {
-    if (const auto* flag = std::get_if<bool>(value)) number = *flag ? 1 : 0;
-    if (const auto* whole = std::get_if<std::int64_t>(value)) number = static_cast<double>(*whole);
-    if (const auto* real = std::get_if<double>(value)) number = *real;
-  }
-  put_big_endian(bytes, number);
+  put_big_endian(bytes, swept_number(value));
 }
 
 }  // namespace

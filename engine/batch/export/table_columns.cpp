@@ -1,6 +1,7 @@
 #include "engine/batch/export/table_columns.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace lober::detail {
 namespace {
@@ -24,6 +25,14 @@ std::array<std::string, 5> texts_of(const Plan& plan, const Result& result) {
 
 bool SweptColumn::is_text() const {
   return std::holds_alternative<std::string>(any) || !numbers_of(any).empty();
+}
+
+double swept_number(const OptionValue* value) {
+  if (value == nullptr) return std::numeric_limits<double>::quiet_NaN();
+  if (const auto* flag = std::get_if<bool>(value)) return *flag ? 1 : 0;
+  if (const auto* whole = std::get_if<std::int64_t>(value)) return static_cast<double>(*whole);
+  const auto* real = std::get_if<double>(value);
+  return real == nullptr ? std::numeric_limits<double>::quiet_NaN() : *real;
 }
 
 TableColumns table_columns(const Plan& plan, const Operation& operation, const EachResult& results) {

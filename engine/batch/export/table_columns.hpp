@@ -26,6 +26,9 @@ struct SweptColumn {
   [[nodiscard]] bool is_text() const;
 };
 
+/// The number that stands for the value of such an option that is not text; NaN for none.
+[[nodiscard]] double swept_number(const OptionValue* value);
+
 struct TableColumns {
   std::size_t rows = 0;
   std::array<std::size_t, 5> widths{};  ///< those of the longest texts, at least 1

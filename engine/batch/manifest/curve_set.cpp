@@ -51,12 +51,14 @@ std::vector<CurveSource> zones_of(const Manifest& manifest, const LocatedText& p
   };
   std::size_t number = 0;
   const char* const end = choice.data() + choice.size();
-  if (const auto [stop, error] = std::from_chars(choice.data(), end, number); stop == end && error == std::errc{}) {
-    return {zone(number)};
-  }
+  const auto [stop, error] = std::from_chars(choice.data(), end, number);
+  const bool is_number = stop == end && error == std::errc{};
+  // A number is that of a group where columns part curves, which the file says, and else a position.
+  if (is_number && whole.columns.empty()) return {zone(number)};
   const std::string path = located(manifest.path, whole.file);
   require_regular(path);
   const CurveFile content = read_curve_file(path, {.hash = false, .columns = whole.columns});
+  if (is_number && !content.titled_by_group) return {zone(number)};
   std::vector<CurveSource> sources;
   for (std::size_t k = 0; k < content.zones.size(); ++k) {
     if (choice == "*" || content.zones[k].title == choice) sources.push_back(zone(k));

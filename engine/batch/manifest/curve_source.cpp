@@ -2,9 +2,15 @@
 
 #include <filesystem>
 
+#include "engine/base/text.hpp"
 #include "engine/batch/manifest/file_unit.hpp"
 
 namespace lober::detail {
+
+std::string CurveSource::periodic() const {
+  return (periods.x == 0 ? "" : " x=" + format_number(periods.x)) +
+         (periods.y == 0 ? "" : " y=" + format_number(periods.y));
+}
 
 CurveUnit unit_of(const std::vector<CurveSource>& sources, const std::string& manifest_path) {
   const CurveSource& any = sources.front();

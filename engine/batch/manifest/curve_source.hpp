@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/batch/manifest/recipe.hpp"
+#include "lober/curve/periods.hpp"
 
 namespace lober::detail {
 
@@ -17,6 +18,7 @@ struct CurveSource {
   std::optional<CurveRecipe> recipe = {};  ///< recipe of a manifold or an image
   bool closed = true;
   std::string columns = {};  ///< columns of a table, as ReadOptions::columns
+  Periods periods = {};      ///< as ReadOptions::periods
 
   /// FILE, FILE:COLUMNS and with #K; empty for a manifold.
   [[nodiscard]] std::string location() const {
@@ -24,10 +26,14 @@ struct CurveSource {
   }
   /// The name in messages and tables: the location, or how the curve is made.
   [[nodiscard]] std::string name() const { return recipe ? recipe->name(location()) : location(); }
-  /// Name of the curve in the store: open and closed are different inputs.
-  [[nodiscard]] std::string input_name() const { return name() + (closed ? "" : " (open)"); }
+  /// Name of the curve in the store: open and closed are different inputs, and so are curves with periods.
+  [[nodiscard]] std::string input_name() const { return name() + periodic() + (closed ? "" : " (open)"); }
+  /// " x=1 y=360": what the periods add to names; empty without them.
+  [[nodiscard]] std::string periodic() const;
   /// Equal for curves that are read together: from one file, and all made in the same way or not at all.
-  [[nodiscard]] std::string unit() const { return file + '\n' + columns + '\n' + (recipe ? recipe->name() : ""); }
+  [[nodiscard]] std::string unit() const {
+    return file + '\n' + columns + '\n' + periodic() + '\n' + (recipe ? recipe->name() : "");
+  }
 };
 
 /// Curves with the same `unit` as a unit of the queue.

@@ -5,6 +5,7 @@
 #include <new>
 #include <span>
 
+#include "engine/files/closing.hpp"
 #include "lober/curve/curve.hpp"
 #include "lober/curve/files.hpp"
 
@@ -29,7 +30,16 @@ LoadedCurve take_zone(CurveFile& file, const CurveSource& wanted, bool last_use)
   Zone& zone = file.zones[number];
   Curve curve{last_use ? std::move(zone.points) : zone.points, wanted.closed, wanted.location()};
   curve.latitude_first = latitude_first(file);
-  if (wanted.closed) drop_closing_vertex(curve.points);
+  unwrap(curve.points, wanted.periods);
+  if (wanted.closed) {
+    drop_closing_vertex(curve.points);
+    try {
+      require_closed_in_the_plane(curve.points, wanted.periods, wanted.location());
+    } catch (const DataError& error) {
+      loaded.error = error.what();
+      return loaded;
+    }
+  }
   loaded.curve = std::make_shared<const Curve>(std::move(curve));
   return loaded;
 }
@@ -82,7 +92,7 @@ CurveUnit file_unit(std::string path, std::vector<CurveSource> zones) {
 
 std::string zone_digest(const std::string& sha256, const CurveSource& zone) {
   return sha256 + (zone.columns.empty() ? "" : ":" + zone.columns) +
-         (zone.zone ? "#" + std::to_string(*zone.zone) : "") + (zone.closed ? "" : " open");
+         (zone.zone ? "#" + std::to_string(*zone.zone) : "") + zone.periodic() + (zone.closed ? "" : " open");
 }
 
 void require_regular(const std::string& path) {

@@ -12,6 +12,7 @@
 #include "engine/base/file_bytes.hpp"
 #include "engine/base/nearest_word.hpp"
 #include "engine/batch/manifest/recipe_reader.hpp"
+#include "engine/files/period_text.hpp"
 
 namespace lober::detail {
 namespace {
@@ -45,8 +46,8 @@ class Reader {
   }
 
   void check_keys(const toml::table& table, bool is_top) const {
-    const std::vector<std::string> known{"name",  "operation", "curves", "with", "closed",
-                                         "pairs", "options",   "grid",   "group"};
+    const std::vector<std::string> known{"name",     "operation", "curves",  "with", "closed",
+                                         "periodic", "pairs",     "options", "grid", "group"};
     const std::span<const std::string> in_groups(known.data(), known.size() - 1);
     for (const auto& [name, node] : table) {
       const std::string key(name.str());
@@ -78,12 +79,13 @@ class Reader {
       group.closed = **closed->as_boolean();
       if (group.closed && group.operation->open) fail(*closed, "closed", group.operation->name + " takes open curves");
     }
+    read_periods(group, table, top);
     group.curves = patterns(table, top, "curves");
     group.with = patterns(table, top, "with");
     read_pairs(group, table, top);
     read_options(group, table, top);
     if (group.operation->arity == Arity::none) {
-      for (const char* const key : {"curves", "with", "pairs", "closed"}) {
+      for (const char* const key : {"curves", "with", "pairs", "closed", "periodic"}) {
         if (const toml::node* const useless = table.get(key))
           fail(*useless, key, group.operation->name + " has no curves");
       }
@@ -91,6 +93,18 @@ class Reader {
     } else if (group.pairs != PairKind::list && group.curves.empty())
       fail(table, "curves", "is missing");
     manifest_.groups.push_back(std::move(group));
+  }
+
+  // "x=2pi", or ["x=2pi", "y=1"], as --periodic takes them.
+  void read_periods(ManifestGroup& group, const toml::table& table, const toml::table& top) const {
+    const toml::node* const node = find(table, top, "periodic");
+    if (node == nullptr) return;
+    const auto take = [&](const toml::node& one) {
+      if (one.is_string() && take_period(**one.as_string(), group.periods)) return;
+      fail(one, "periodic", "has to be \"x=PERIOD\" or \"y=PERIOD\", such as \"x=2pi\", or a list of both");
+    };
+    if (!node->is_array()) return take(*node);
+    for (const toml::node& one : *node->as_array()) take(one);
   }
 
   void read_operation(ManifestGroup& group, const toml::table& table, const toml::table& top) const {

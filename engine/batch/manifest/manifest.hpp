@@ -36,6 +36,7 @@ struct ManifestGroup {
   std::size_t lag = 1;
   std::vector<std::array<LocatedText, 2>> list;
   bool closed = true;
+  Periods periods = {};  ///< those of the curves of files
 };
 
 struct Manifest {

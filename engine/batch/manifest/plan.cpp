@@ -29,14 +29,14 @@ class Planner {
     }
     for (const Options& options : group.options) {
       const auto number = static_cast<std::uint32_t>(plan_.groups.size());
-      plan_.groups.push_back({group.name, group.operation, options});
+      plan_.groups.push_back({group.name, group.operation, options, nullptr, group.periods});
       for (const auto& [first, second] : pairs) plan_.jobs.push_back({number, first, second});
     }
   }
 
   Pairs pairs_of(const ManifestGroup& group) {
     Pairs pairs;
-    const std::vector<CurveId> curves = numbers_of(group.curves, group.closed);
+    const std::vector<CurveId> curves = numbers_of(group.curves, group);
     switch (group.pairs) {
       case PairKind::none:
         pairs.emplace_back(no_curve, no_curve);
@@ -51,7 +51,7 @@ class Planner {
           pairs.emplace_back(curves[i], curves[i + group.lag]);
         break;
       case PairKind::product: {
-        const std::vector<CurveId> others = numbers_of(group.with, group.closed);
+        const std::vector<CurveId> others = numbers_of(group.with, group);
         for (const CurveId curve : curves) {
           for (const CurveId other : others) {
             if (curve != other) pairs.emplace_back(curve, other);
@@ -64,23 +64,24 @@ class Planner {
         break;
       case PairKind::list:
         for (const auto& [first, second] : group.list) {
-          pairs.emplace_back(single(first, group.closed), single(second, group.closed));
+          pairs.emplace_back(single(first, group), single(second, group));
         }
         break;
     }
     return pairs;
   }
 
-  CurveId single(const LocatedText& name, bool closed) {
-    const std::vector<CurveId> found = numbers_of({name}, closed);
+  CurveId single(const LocatedText& name, const ManifestGroup& group) {
+    const std::vector<CurveId> found = numbers_of({name}, group);
     if (found.size() != 1) manifest_.fail(name.line, name.key, name.text + " is more than one curve");
     return found[0];
   }
 
-  std::vector<CurveId> numbers_of(const std::vector<LocatedText>& patterns, bool closed) {
+  std::vector<CurveId> numbers_of(const std::vector<LocatedText>& patterns, const ManifestGroup& group) {
     std::vector<CurveId> ids;
     for (CurveSource& source : resolve(manifest_, patterns)) {
-      source.closed = closed && !source.file.empty();
+      source.closed = group.closed && !source.file.empty();
+      if (!source.file.empty()) source.periods = group.periods;
       const auto [at, is_new] = curves_.try_emplace(source.input_name(), static_cast<CurveId>(plan_.curves.size()));
       ids.push_back(at->second);
       if (!is_new) continue;

@@ -16,7 +16,9 @@ Json to_json(const JobGroup& group) {
   for (const auto& [key, value] : group.options.settings()) {
     options.push_back({key, json_of<Json>(value)});
   }
-  return {{"name", group.name}, {"operation", group.operation->name}, {"options", std::move(options)}};
+  Json made{{"name", group.name}, {"operation", group.operation->name}, {"options", std::move(options)}};
+  if (group.periods.any()) made["periods"] = {group.periods.x, group.periods.y};
+  return made;
 }
 
 OptionValue value_of(const Json& value) {
@@ -27,6 +29,11 @@ OptionValue value_of(const Json& value) {
   return value.get<std::string>();
 }
 
+Periods periods_of(const Json& from) {
+  const auto periods = from.find("periods");
+  return periods == from.end() ? Periods{} : Periods{periods->at(0).get<double>(), periods->at(1).get<double>()};
+}
+
 JobGroup group_of(const Json& from) {
   const auto operation = from.at("operation").get<std::string>();
   JobGroup group{from.at("name").get<std::string>(), find_operation(operation), {}};
@@ -35,6 +42,7 @@ JobGroup group_of(const Json& from) {
   for (const Json& option : from.at("options"))
     settings.push_back({option.at(0).get<std::string>(), value_of(option.at(1))});
   group.options = {group.operation->options, settings};
+  group.periods = periods_of(from);
   return group;
 }
 
@@ -74,6 +82,7 @@ Json to_json(const CurveSource& source) {
   Json made{{"file", source.file}, {"closed", source.closed}};
   if (source.zone) made["zone"] = *source.zone;
   if (!source.columns.empty()) made["columns"] = source.columns;
+  if (source.periods.any()) made["periods"] = {source.periods.x, source.periods.y};
   if (source.recipe) made["recipe"] = to_json(*source.recipe);
   return made;
 }
@@ -81,6 +90,7 @@ Json to_json(const CurveSource& source) {
 CurveSource source_of(const Json& from) {
   CurveSource source{from.at("file").get<std::string>()};
   source.closed = from.at("closed").get<bool>();
+  source.periods = periods_of(from);
   if (const auto zone = from.find("zone"); zone != from.end()) source.zone = zone->get<std::size_t>();
   if (const auto columns = from.find("columns"); columns != from.end()) source.columns = columns->get<std::string>();
   if (const auto recipe = from.find("recipe"); recipe != from.end()) source.recipe = recipe_of(*recipe);

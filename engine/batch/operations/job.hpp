@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/batch/operations/options.hpp"
+#include "lober/curve/periods.hpp"
 
 namespace lober::detail {
 
@@ -41,6 +42,7 @@ struct JobGroup {
   const Operation* operation = nullptr;  ///< has to outlive the group
   Options options;
   const OutputFolder* outputs = nullptr;  ///< where its jobs may write files; null: anywhere
+  Periods periods = {};                   ///< by which the second curve is moved to the first
 };
 
 /// A job of a group, which counts by its number in the plan or in the queue that the job belongs to.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <mutex>
 
 #include "engine/base/machine_memory.hpp"
@@ -92,6 +93,22 @@ QueueProgress JobQueue::progress() const {
   return {counters_.jobs, counters_.done, counters_.failed, counters_.cost, counters_.cost_done, counters_.points};
 }
 
+namespace {
+
+// The second curve of a pair moved by whole periods to the first; null where it is there already.
+std::unique_ptr<const PreparedCurve> moved_near(const PreparedCurve& second, const Curve& first,
+                                                const JobGroup& group) {
+  const Curve& given = second.curve();
+  if (!group.periods.any() || given.points.empty()) return nullptr;
+  Curve curve = given;
+  move_near(curve.points, first.points, group.periods);
+  if (curve.points.front() == given.points.front()) return nullptr;
+  return std::make_unique<const PreparedCurve>(std::make_shared<const Curve>(std::move(curve)),
+                                               group.operation->requirements(group.options));
+}
+
+}  // namespace
+
 // One call of `run`: what the dispatcher asks of the jobs.
 class JobQueue::Run final : public JobRunner {
  public:
@@ -113,7 +130,13 @@ class JobQueue::Run final : public JobRunner {
     Stopwatch watch;
     if (!result.failed()) {
       try {
-        if (ids.size() == 2) require_same_columns(curves[0]->curve(), curves[1]->curve());
+        std::unique_ptr<const PreparedCurve> moved;
+        if (ids.size() == 2) {
+          require_same_columns(curves[0]->curve(), curves[1]->curve());
+          moved = moved_near(*curves[1], curves[0]->curve(), group);
+          if (moved != nullptr) curves[1] = moved.get();
+          if (moved != nullptr && !moved->error().empty()) throw DataError(moved->error());
+        }
         result = group.operation->run({std::span(curves).first(ids.size()), allowance, group.outputs}, group.options);
       } catch (const Cancelled&) {
         throw;

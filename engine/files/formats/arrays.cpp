@@ -1,62 +1,47 @@
 #include "engine/files/formats/arrays.hpp"
 
 #include <algorithm>
-#include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
-#include <optional>
+#include <span>
 
 #include "engine/base/machine_memory.hpp"
 #include "engine/base/text.hpp"
-#include "engine/files/geographic.hpp"
-#include "engine/files/text_points.hpp"
+#include "engine/files/formats/array_choice.hpp"
 
 namespace lober::detail {
 namespace {
-
-// "x (10 x 2)"
-std::string described(const ArrayInfo& array) {
-  std::string text = array.name + " (";
-  for (const std::size_t& size : array.shape) text += (&size == array.shape.data() ? "" : " x ") + std::to_string(size);
-  return text + (array.shape.empty() ? "a number)" : ")");
-}
-
-std::string last_part(const std::string& name) {
-  return name.substr(name.rfind('/') + 1);
-}
-
-bool holds_points(const ArrayInfo& array) {
-  return array.shape.size() == 2 && (array.shape[0] == 2 || array.shape[1] == 2) && array.size() > 0;
-}
-
-// The arrays that a choice names.
-struct Chosen {
-  std::vector<std::size_t> coordinates;  // one or two
-  std::optional<std::size_t> group, offsets;
-};
 
 class CurvesOfArrays {
  public:
   CurvesOfArrays(ArrayFile& source, CurveFile& file) : source_(source), arrays_(source.arrays()), file_(file) {}
 
   void read(std::string_view choice) {
-    const Chosen chosen = choice.empty() ? evident() : chosen_by(choice);
+    const ChosenArrays chosen = choose_arrays(arrays_, choice, file_.path);
+    const bool is_parted = chosen.group || chosen.offsets || chosen.counts;
+    const ArrayInfo& first = arrays_[chosen.coordinates[0]];
     if (chosen.coordinates.size() == 1) {
-      const ArrayInfo& array = arrays_[chosen.coordinates[0]];
-      if (!holds_points(array)) fail("array " + described(array) + ": expected N x 2 or 2 x N numbers");
-      take_points(chosen.coordinates[0]);
+      if (!holds_points(first)) fail("array " + described(first) + ": expected N x 2 or 2 x N numbers");
+      take_points(chosen.coordinates[0], !is_parted);
     } else {
-      take_coordinates(chosen.coordinates[0], chosen.coordinates[1], !chosen.group && !chosen.offsets);
+      take_coordinates(chosen.coordinates[0], chosen.coordinates[1], !is_parted);
     }
     if (chosen.offsets) {
       part_at_offsets(*chosen.offsets);
+    } else if (chosen.counts) {
+      part_by_counts(numbers(*chosen.counts), *chosen.counts);
     } else if (chosen.group) {
       part_by_group(*chosen.group);
+    } else if (!first.pieces.empty()) {
+      Buffer<double> counts;
+      for (const std::size_t points : first.pieces) counts.push_back(static_cast<double>(points));
+      part_by_counts(counts, chosen.coordinates[0]);
     } else if (!rows_.empty()) {
       part_into_rows();
-    } else {
+    } else if (!part_by_roles()) {
       part_at_gaps();
     }
     if (file_.zones.empty()) fail("no points");
@@ -65,94 +50,15 @@ class CurvesOfArrays {
  private:
   [[noreturn]] void fail(const std::string& message) const { throw DataError(file_.path + ": " + message); }
 
-  [[nodiscard]] std::string list() const {
-    constexpr std::size_t most = 12;
-    std::string text;
-    for (std::size_t k = 0; k < std::min(arrays_.size(), most); ++k)
-      text += (k == 0 ? "" : ", ") + described(arrays_[k]);
-    return arrays_.size() > most ? text + " and " + std::to_string(arrays_.size() - most) + " more" : text;
-  }
-
-  [[nodiscard]] std::string holds() const {
-    return arrays_.empty() ? "it holds no arrays of numbers" : "it holds " + list();
-  }
-
-  [[nodiscard]] std::optional<std::size_t> whole(std::string_view name) const {
-    for (std::size_t k = 0; k < arrays_.size(); ++k) {
-      if (arrays_[k].name == name || arrays_[k].name == "/" + std::string(name)) return k;
-    }
-    return std::nullopt;
-  }
-
-  // By its whole name, or by the last part of only one.
-  [[nodiscard]] std::optional<std::size_t> found(std::string_view name) const {
-    if (const std::optional<std::size_t> index = whole(name)) return index;
-    std::optional<std::size_t> by_part;
-    bool several = false;
-    for (std::size_t k = 0; k < arrays_.size(); ++k) {
-      if (last_part(arrays_[k].name) != name) continue;
-      several = by_part.has_value();
-      by_part = k;
-    }
-    if (several) fail("several arrays are called " + quoted_text(name) + "; " + holds());
-    return by_part;
-  }
-
-  [[nodiscard]] std::size_t named(std::string_view name) const {
-    const std::optional<std::size_t> index = found(name);
-    if (!index) fail("has no array of real numbers called " + quoted_text(name) + "; " + holds());
-    return *index;
-  }
-
-  [[nodiscard]] Chosen chosen_by(std::string_view choice) const {
-    Chosen chosen;
-    for (std::string_view rest = choice;;) {
-      const std::size_t comma = rest.find(',');
-      const std::string_view one = rest.substr(0, comma);
-      if (one.starts_with("by=")) {
-        chosen.group = named(one.substr(3));
-      } else if (one.starts_with("offsets=")) {
-        chosen.offsets = named(one.substr(8));
-      } else {
-        chosen.coordinates.push_back(named(one));
-      }
-      if (comma == std::string_view::npos) break;
-      rest.remove_prefix(comma + 1);
-    }
-    if (chosen.coordinates.empty() || chosen.coordinates.size() > 2 || (chosen.group && chosen.offsets)) {
-      fail("arrays are chosen by \"X,Y\" or \"XY\", and perhaps by=ID or offsets=O, not by " + quoted_text(choice));
-    }
-    return chosen;
-  }
-
-  // The choice that is meant where nothing is chosen.
-  [[nodiscard]] Chosen evident() const {
-    constexpr std::array<std::array<std::string_view, 2>, 4> pairs{
-        {{"x", "y"}, {"lon", "lat"}, {"longitude", "latitude"}, {"X", "Y"}}};
-    if (const auto points = whole("points"), offsets = whole("offsets"); points && offsets) {
-      return {{*points}, std::nullopt, offsets};
-    }
-    for (const auto& [first, second] : pairs) {
-      const auto x = whole(first), y = whole(second);
-      if (x && y && arrays_[*x].shape == arrays_[*y].shape && arrays_[*x].axes == arrays_[*y].axes)
-        return {{*x, *y}, std::nullopt, std::nullopt};
-    }
-    if (std::count_if(arrays_.begin(), arrays_.end(), holds_points) == 1) {
-      const auto only = std::find_if(arrays_.begin(), arrays_.end(), holds_points);
-      return {{static_cast<std::size_t>(only - arrays_.begin())}, std::nullopt, std::nullopt};
-    }
-    fail("which arrays are x and y? Name them, " + file_.path + ":X,Y, or one of N x 2, " + file_.path + ":XY; " +
-         holds());
-  }
-
   [[nodiscard]] Buffer<double> numbers(std::size_t index) const {
     require_fitting_memory(file_.path, arrays_[index]);
     return source_.numbers(index);
   }
 
-  void take_points(std::size_t index) {
+  void take_points(std::size_t index, bool rows_are_curves) {
     const ArrayInfo& array = arrays_[index];
     const Buffer<double> all = numbers(index);
+    if (array.is_complex) return take_complex(all, array, rows_are_curves);
     const bool rows = array.shape[1] == 2;
     points_.resize(all.size() / 2);
     for (std::size_t k = 0; k < points_.size(); ++k) {
@@ -160,15 +66,34 @@ class CurvesOfArrays {
     }
   }
 
+  void take_complex(const Buffer<double>& parts, const ArrayInfo& array, bool rows_are_curves) {
+    Buffer<double> xs(parts.size() / 2), ys(parts.size() / 2);
+    for (std::size_t k = 0; k < xs.size(); ++k) {
+      xs[k] = parts[2 * k];
+      ys[k] = parts[2 * k + 1];
+    }
+    take_rows(xs, ys, array, rows_are_curves);
+  }
+
   // Points of two arrays; of those of two axes only the points that are there.
   void take_coordinates(std::size_t first, std::size_t second, bool rows_are_curves) {
     const ArrayInfo &x = arrays_[first], &y = arrays_[second];
     file_.header = last_part(x.name) + "," + last_part(y.name);
-    std::vector<std::size_t> shape = x.shape;
-    if (shape != y.shape) fail("arrays " + described(x) + " and " + described(y) + ": expected equal shapes");
+    if (x.is_complex || y.is_complex) {
+      fail("array " + described(x.is_complex ? x : y) + ": complex numbers are points; name this array alone");
+    }
+    if (x.shape != y.shape || x.pieces != y.pieces) {
+      fail("arrays " + described(x) + " and " + described(y) + ": expected equal shapes");
+    }
+    take_rows(numbers(first), numbers(second), x, rows_are_curves);
+  }
+
+  void take_rows(const Buffer<double>& xs, const Buffer<double>& ys, const ArrayInfo& array, bool rows_are_curves) {
+    std::vector<std::size_t> shape = array.shape;
     std::erase(shape, 1);
-    if (shape.size() > 2) fail("array " + described(x) + ": expected one axis, or two, curves and their points");
-    const Buffer<double> xs = numbers(first), ys = numbers(second);
+    if (shape.size() > 2) {
+      fail("array " + described(array) + ": expected one axis, or two, curves and their points");
+    }
     if (xs.empty()) return;  // 10^9 curves without points are none
     if (shape.size() < 2 || !rows_are_curves) {
       points_.resize(xs.size());
@@ -193,6 +118,18 @@ class CurvesOfArrays {
     for (std::size_t k = begin; k < end; ++k) require_finite(k);
     const auto at = [&](std::size_t k) { return points_.begin() + static_cast<std::ptrdiff_t>(k); };
     file_.zones.push_back({std::move(title), {at(begin), at(end)}, 1});
+  }
+
+  // Without the points that are not there.
+  void add_curve(std::string title, std::size_t begin, std::size_t end) {
+    Zone zone{std::move(title), {}, 1};
+    zone.points.reserve(end - begin);
+    for (std::size_t k = begin; k < end; ++k) {
+      if (std::isnan(points_[k].x) || std::isnan(points_[k].y)) continue;
+      require_finite(k);
+      zone.points.push_back(points_[k]);
+    }
+    if (!zone.points.empty()) file_.zones.push_back(std::move(zone));
   }
 
   void require_finite(std::size_t k) const {
@@ -220,15 +157,98 @@ class CurvesOfArrays {
   void part_at_offsets(std::size_t index) {
     const Buffer<double> offsets = numbers(index);
     const std::vector<std::string> titles = source_.texts("titles");
+    const bool numbered =
+        titles.empty() && std::adjacent_find(offsets.begin(), offsets.end()) != offsets.end();  // one is empty
+    file_.titled_by_group = numbered;
     for (std::size_t k = 0; k + 1 < offsets.size(); ++k) {
       const double begin = offsets[k], end = offsets[k + 1];
-      if (!(begin >= 0 && begin < end && end <= static_cast<double>(points_.size())) || begin != std::floor(begin) ||
+      if (!(begin >= 0 && begin <= end && end <= static_cast<double>(points_.size())) || begin != std::floor(begin) ||
           end != std::floor(end)) {
         fail("array " + described(arrays_[index]) + ": curve " + std::to_string(k) + " from " + format_number(begin) +
              " to " + format_number(end) + " is not among " + std::to_string(points_.size()) + " points");
       }
-      add_zone(k < titles.size() ? titles[k] : std::string(), static_cast<std::size_t>(begin),
-               static_cast<std::size_t>(end));
+      add_curve(k < titles.size() ? titles[k]
+                : numbered        ? std::to_string(k)
+                                  : std::string(),
+                static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
+    }
+  }
+
+  // The points of a list of curves, by their numbers; nothing where they are not counts, or not those of all points.
+  [[nodiscard]] bool fits(std::span<const double> counts) const {
+    double sum = 0;
+    for (const double count : counts) {
+      if (!(count >= 0) || count != std::floor(count)) return false;
+      sum += count;
+    }
+    return sum == static_cast<double>(points_.size());
+  }
+
+  void part_by_counts(const Buffer<double>& counts, std::size_t index) {
+    if (!fits(counts)) {
+      fail("array " + described(arrays_[index]) + ": expected numbers of points whose sum is " +
+           std::to_string(points_.size()));
+    }
+    const std::vector<std::string> names = names_of(counts.size());
+    file_.titled_by_group = true;
+    std::size_t begin = 0;
+    for (std::size_t k = 0; k < counts.size(); ++k) {
+      const std::size_t end = begin + static_cast<std::size_t>(counts[k]);
+      add_curve(names[k], begin, end);
+      begin = end;
+    }
+  }
+
+  // The names of curves, or their numbers.
+  [[nodiscard]] std::vector<std::string> names_of(std::size_t curves) const {
+    std::vector<std::string> names;
+    if (const std::string array = source_.names_of_curves(); !array.empty()) {
+      names = source_.texts(array);
+      const auto found =
+          std::find_if(arrays_.begin(), arrays_.end(), [&](const ArrayInfo& one) { return one.name == array; });
+      if (found != arrays_.end()) {
+        for (const double number : numbers(static_cast<std::size_t>(found - arrays_.begin()))) {
+          names.push_back(std::isnan(number) ? std::to_string(names.size()) : format_number(number));
+        }
+      }
+    }
+    if (names.size() >= curves) return names;
+    names.clear();
+    for (std::size_t k = 0; k < curves; ++k) names.push_back(std::to_string(k));
+    return names;
+  }
+
+  // Curves one behind the other, as an array beside them says. False where there is none that fits.
+  bool part_by_roles() {
+    for (std::size_t k = 0; k < arrays_.size(); ++k) {
+      const ArrayInfo& array = arrays_[k];
+      const std::string name = last_part(array.name);
+      const bool counts = array.role == ArrayInfo::Role::counts || same_in_any_case(name, "rowsize") ||
+                          same_in_any_case(name, "row_size");
+      if (counts && array.shape.size() == 1 && !array.is_complex) {
+        const Buffer<double> all = numbers(k);
+        if (!fits(all)) continue;
+        part_by_counts(all, k);
+        return true;
+      }
+      if (array.role != ArrayInfo::Role::instances || array.size() != points_.size()) continue;
+      part_by_instances(k);
+      return true;
+    }
+    return false;
+  }
+
+  void part_by_instances(std::size_t index) {
+    part_by_group(index);
+    const Buffer<double> instances = numbers(index);
+    double last = -1;
+    for (const double instance : instances) last = std::max(last, instance);
+    if (!(last >= 0 && last < static_cast<double>(points_.size()))) return;
+    const std::vector<std::string> names = names_of(static_cast<std::size_t>(last) + 1);
+    for (Zone& zone : file_.zones) {
+      std::size_t number = names.size();
+      std::from_chars(zone.title.data(), zone.title.data() + zone.title.size(), number);
+      if (number < names.size()) zone.title = names[number];
     }
   }
 
@@ -284,16 +304,44 @@ Buffer<double> last_axis_fastest(const Buffer<double>& numbers, const std::vecto
   return result;
 }
 
-void apply_conventions(Buffer<double>& numbers, const std::array<std::optional<double>, 2>& none,
-                       std::optional<double> scale, std::optional<double> shift) {
-  constexpr double never_written = 9.969209968386869e+36;  // NC_FILL_DOUBLE and NC_FILL_FLOAT
-  for (double& number : numbers) {
-    if (number == none[0] || number == none[1] || number == never_written) {
-      number = std::numeric_limits<double>::quiet_NaN();
-    } else {
-      if (scale) number *= *scale;
-      if (shift) number += *shift;
-    }
+Buffer<double> interleaved(const Buffer<double>& real, const Buffer<double>& imaginary) {
+  Buffer<double> both(2 * real.size());
+  for (std::size_t k = 0; k < real.size(); ++k) {
+    both[2 * k] = real[k];
+    both[2 * k + 1] = imaginary[k];
+  }
+  return both;
+}
+
+std::optional<ArrayInfo> array_of_list(const std::string& name, const std::vector<ArrayInfo>& elements) {
+  const auto is_vector = [](const ArrayInfo& element) {
+    return std::count_if(element.shape.begin(), element.shape.end(), [](std::size_t size) { return size > 1; }) <= 1;
+  };
+  const auto all = [&](const auto& holds) {
+    return std::all_of(elements.begin(), elements.end(),
+                       [&](const ArrayInfo& one) { return one.size() == 0 || holds(one); });
+  };
+  const auto is_complex = [](const ArrayInfo& element) { return element.is_complex; };
+  ArrayInfo list{name, {0}};
+  list.is_complex = all([&](const ArrayInfo& one) { return is_complex(one) && is_vector(one); });
+  const bool vectors = list.is_complex || all([&](const ArrayInfo& one) { return !is_complex(one) && is_vector(one); });
+  if (!vectors && !all([&](const ArrayInfo& one) { return !is_complex(one) && holds_points(one); }))
+    return std::nullopt;
+  if (!vectors) list.shape.push_back(2);
+  for (const ArrayInfo& element : elements) {
+    list.pieces.push_back(vectors ? element.size() : element.size() / 2);
+    if (element.size() > std::numeric_limits<std::size_t>::max() - list.shape[0]) return std::nullopt;
+    list.shape[0] += list.pieces.back();
+  }
+  if (list.shape[0] == 0) return std::nullopt;
+  return list;
+}
+
+void append_element(Buffer<double>& all, const Buffer<double>& numbers, const ArrayInfo& element,
+                    const ArrayInfo& list) {
+  const bool across = list.shape.size() == 2 && element.shape.size() == 2 && element.shape[1] != 2;
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    all.push_back(across ? numbers[k % 2 * (numbers.size() / 2) + k / 2] : numbers[k]);
   }
 }
 

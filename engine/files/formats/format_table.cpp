@@ -42,14 +42,14 @@ void write_at_once(OutputFile& file, std::span<const Zone> zones, const WriteOpt
 
 // In the order of the documentation.
 constexpr std::array<FormatEntry, 13> table{{
-    {Format::npy, "npy", "a NumPy array, N x 2 or 2 x N", ".npy", begins_npy, read_npy_file, put_npy, false, false,
-     nullptr},
+    {Format::npy, "npy", "a NumPy array, N x 2 or 2 x N, or complex", ".npy", begins_npy, read_npy_file, put_npy, false,
+     false, nullptr},
     {Format::csv, "csv", "columns of text, parted by commas", ".csv", nullptr, read_table, put_csv, true, true,
      nullptr},
     {Format::text, "text", "columns of text, parted by blanks, tabs, commas or semicolons", ".txt .tsv .xy .gmt",
      nullptr, read_table, put_text, true, true, nullptr},
-    {Format::tecplot, "tecplot", "Tecplot ASCII, point data", ".dat .tec", nullptr, read_table, put_tecplot, true,
-     false, nullptr},
+    {Format::tecplot, "tecplot", "Tecplot ASCII, point data", ".dat .tec", nullptr, read_table, put_tecplot, true, true,
+     nullptr},
     {Format::raw, "raw", "native float64 pairs, nothing else", ".f64 .raw", nullptr, read_pairs, put_raw, false, false,
      nullptr},
     {Format::npz, "npz", "a NumPy archive of named arrays", ".npz", begins_npz, read_npz, write_at_once<npz_bytes>,
@@ -80,10 +80,10 @@ const FormatEntry& entry_of(Format format) {
   return *std::find_if(table.begin(), table.end(), [&](const FormatEntry& entry) { return entry.format == format; });
 }
 
-std::string written_endings() {
+std::string written_endings(bool of_several) {
   std::string text;
   for (const FormatEntry& entry : format_table()) {
-    if (entry.write == nullptr) continue;
+    if (entry.write == nullptr || (of_several && !entry.holds_several)) continue;
     text += (text.empty() ? "" : ", ") + std::string(entry.suffixes.substr(0, entry.suffixes.find(' ')));
     if (entry.format == Format::tecplot || entry.format == Format::vtk) text += " (" + std::string(entry.name) + ")";
   }

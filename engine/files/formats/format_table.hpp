@@ -26,8 +26,9 @@ struct FormatEntry {
 
 [[nodiscard]] std::span<const FormatEntry> format_table();
 [[nodiscard]] const FormatEntry& entry_of(Format format);
-/// The usual endings of formats in which curves are written: ".npy, .csv, .txt, .dat (tecplot), ...".
-[[nodiscard]] std::string written_endings();
+/// The usual endings of formats in which curves are written, perhaps those alone that hold several: ".npy, .csv, .txt,
+/// .dat (tecplot), ...".
+[[nodiscard]] std::string written_endings(bool of_several = false);
 
 /// The format of a file, by its content: by its first bytes, for some by more.
 [[nodiscard]] const FormatEntry& recognised(std::span<const std::byte> bytes);

@@ -1,5 +1,8 @@
 #include "engine/files/formats/geometry_zones.hpp"
 
+#include <algorithm>
+#include <span>
+
 #include "engine/base/finite.hpp"
 #include "lober/base/error.hpp"
 
@@ -8,10 +11,15 @@ namespace lober::detail {
 void GeometryZones::name_from(std::size_t first, const std::string& name) {
   if (name.empty()) return;
   in_points_ = false;
-  const bool several = file_.zones.size() > first + 1;
-  for (std::size_t k = first; k < file_.zones.size(); ++k) {
-    Zone& zone = file_.zones[k];
-    if (zone.title.empty()) zone.title = several ? name + " " + std::to_string(k - first + 1) : name;
+  const std::span<Zone> named = std::span(file_.zones).subspan(first);
+  const bool several = std::count_if(named.begin(), named.end(), [](const Zone& zone) { return !zone.hole; }) > 1;
+  std::size_t curves = 0, holes = 0;
+  for (Zone& zone : named) {
+    holes = zone.hole ? holes + 1 : 0;
+    curves += zone.hole ? 0 : 1;
+    if (!zone.title.empty()) continue;
+    zone.title = several ? name + " " + std::to_string(curves) : name;
+    if (zone.hole) zone.title += ", hole " + std::to_string(holes);
   }
 }
 

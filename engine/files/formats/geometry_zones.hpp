@@ -27,7 +27,8 @@ class GeometryZones {
     file_.zones.back().points.push_back(point);
   }
   [[nodiscard]] std::size_t size() const { return file_.zones.size(); }
-  /// Names the zones from `first` on that have no title yet: "NAME", and with several "NAME 1", "NAME 2".
+  /// Names the zones from `first` on that have no title yet: "NAME", and with several "NAME 1", "NAME 2"; their holes
+  /// "NAME, hole 1".
   void name_from(std::size_t first, const std::string& name);
 
   /// Throws DataError where there are no points, or one is not finite.

@@ -1,12 +1,12 @@
 // MATLAB's MAT files of versions 4 and 5 to 7, which matio reads; those of 7.3 are HDF5.
-#include <array>
+#include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <memory>
+#include <optional>
 
-#include "engine/files/byte_order.hpp"
 #include "engine/files/formats/arrays.hpp"
 #include "engine/files/formats/libraries.hpp"
+#include "engine/files/formats/mat_checks.hpp"
 #include "engine/files/formats/memory_file.hpp"
 #include "engine/files/formats/readers.hpp"
 #if LOBER_HAS_MATIO
@@ -33,6 +33,7 @@ struct Matio {
   LOBER_LOADED(matio_library, Mat_VarGetStructFieldnames);
   LOBER_LOADED(matio_library, Mat_VarGetNumberOfFields);
   LOBER_LOADED(matio_library, Mat_VarGetStructFieldByIndex);
+  LOBER_LOADED(matio_library, Mat_VarGetCell);
 
   Matio() {
     Mat_LogInitFunc("lober", [](int, char*) {});  // it prints nothing
@@ -42,53 +43,6 @@ struct Matio {
 const Matio& matio() {
   static const Matio loaded;
   return loaded;
-}
-
-// Version 4: each variable is five words (type, rows, columns, whether it is complex, length of its name), its name and
-// its numbers. matio believes any length.
-void require_sound_version4(std::span<const std::byte> bytes, const std::string& path) {
-  constexpr std::size_t head = 20, max_name = 64;
-  constexpr std::array<std::size_t, 6> sizes{8, 4, 4, 2, 2, 1};  // bytes of a number, by the tens of the type
-  const auto word = [&](std::size_t at) {
-    std::uint32_t value = 0;
-    std::memcpy(&value, bytes.data() + at, sizeof value);
-    return std::size_t{value};
-  };
-  for (std::size_t at = 0; at < bytes.size();) {
-    const std::size_t left = bytes.size() - at;
-    const bool has_head = left >= head;
-    const std::size_t type = has_head ? word(at) / 10 % 10 : sizes.size();
-    const std::size_t name = has_head ? word(at + 16) : 0, rows = has_head ? word(at + 4) : 0;
-    const std::size_t numbers =
-        ArrayInfo{{}, {rows, has_head ? word(at + 8) : 0, has_head && word(at + 12) != 0 ? 2U : 1U}}.size();
-    if (type >= sizes.size() || name > max_name || name > left - head || numbers > (left - head - name) / sizes[type]) {
-      throw DataError(path + ": is a MAT file of version 4 that is damaged or cut off at byte " + std::to_string(at));
-    }
-    at += head + name + numbers * sizes[type];
-  }
-}
-
-// Versions 5 to 7: behind a head of 128 bytes elements, each with its type and its length, and padded to eight bytes
-// unless it is compressed. Where the file is cut off, matio reads what memory holds.
-void require_sound_version5(std::span<const std::byte> bytes, const std::string& path) {
-  constexpr std::size_t head = 128, order_at = 126, tag = 8;
-  constexpr std::uint32_t compressed = 15;
-  const auto fail = [&](std::size_t at) {
-    throw DataError(path + ": is a MAT file that is damaged or cut off at byte " + std::to_string(at));
-  };
-  if (bytes.size() < head) fail(bytes.size());
-  const bool swap = bytes[order_at] == std::byte{'M'};  // "MI", and "IM" in the order of this machine
-  const auto word = [&](std::size_t at) {
-    std::uint32_t value = 0;
-    std::memcpy(&value, bytes.data() + at, sizeof value);
-    return swap ? reversed_bytes(value) : value;
-  };
-  for (std::size_t at = head; at < bytes.size();) {
-    if (bytes.size() - at < tag) fail(at);
-    const std::size_t length = word(at + 4), padding = word(at) == compressed ? 0 : (8 - length % 8) % 8;
-    if (length + padding > bytes.size() - at - tag) fail(at);
-    at += tag + length + padding;
-  }
 }
 
 using Variable = std::unique_ptr<matvar_t, void (*)(matvar_t*)>;
@@ -145,7 +99,7 @@ class MatFile final : public ArrayFile {
       if (variable->class_type == MAT_C_STRUCT) {
         add_fields(variable.get(), name);
       } else {
-        add(*variable, name, name, no_field);
+        add(variable.get(), name, {name, no_field});
       }
     }
   }
@@ -154,22 +108,22 @@ class MatFile final : public ArrayFile {
   [[nodiscard]] bool curves_are_columns() const override { return true; }
 
   [[nodiscard]] Buffer<double> numbers(std::size_t index) override {
-    const Location& place = places_[index];
-    require_that_it_can_hold(arrays_[index]);
-    const Variable whole(matio().Mat_VarRead(file_.get(), place.variable.c_str()), matio().Mat_VarFree);
-    const matvar_t* found = whole.get();
-    if (whole != nullptr && place.field != no_field) {
-      found = matio().Mat_VarGetStructFieldByIndex(whole.get(), place.field, 0);
-    }
     const ArrayInfo& array = arrays_[index];
-    const CopyNumbers copy = found == nullptr ? nullptr : copier_of(found->class_type);
-    if (copy == nullptr || found->data == nullptr || shape_of(*found) != array.shape ||
-        found->nbytes / static_cast<std::size_t>(std::max(found->data_size, 1)) < array.size()) {
-      throw DataError(path_ + ": array " + array.name + " cannot be read: the MAT file is damaged or cut off");
+    require_that_it_can_hold(array);
+    const Variable whole(matio().Mat_VarRead(file_.get(), places_[index].variable.c_str()), matio().Mat_VarFree);
+    const std::vector<matvar_t*> elements = elements_of(whole.get(), places_[index].field);
+    if (array.pieces.empty()) {
+      if (elements.size() != 1) damaged(array.name);
+      return numbers_of(elements[0], array);
     }
-    Buffer<double> numbers(array.size());
-    copy(found->data, numbers);
-    return last_axis_fastest(numbers, array.shape);
+    Buffer<double> all;
+    for (matvar_t* const one : elements) {
+      const std::optional<ArrayInfo> element = info_of(one, array.name);
+      if (!element) damaged(array.name);
+      if (element->size() > 0) append_element(all, numbers_of(one, *element), *element, array);
+    }
+    if (all.size() != array.size() * (array.is_complex ? 2 : 1)) damaged(array.name);
+    return all;
   }
 
  private:
@@ -179,6 +133,10 @@ class MatFile final : public ArrayFile {
     std::string variable;
     std::size_t field;
   };
+
+  [[noreturn]] void damaged(const std::string& name) const {
+    throw DataError(path_ + ": array " + name + " cannot be read: the MAT file is damaged or cut off");
+  }
 
   // Version 4 is not compressed.
   void require_that_it_can_hold(const ArrayInfo& array) const {
@@ -191,20 +149,84 @@ class MatFile final : public ArrayFile {
     return {variable.dims, variable.dims + variable.rank};
   }
 
-  void add(const matvar_t& variable, const std::string& name, const std::string& whole, std::size_t field) {
-    if (copier_of(variable.class_type) == nullptr || variable.isComplex != 0) return;
-    arrays_.push_back({name, shape_of(variable)});
-    places_.push_back({whole, field});
+  // Nothing for a variable that is not numbers. Elements of lists that are not there are empty.
+  static std::optional<ArrayInfo> info_of(const matvar_t* variable, const std::string& name) {
+    if (variable == nullptr || variable->class_type == MAT_C_EMPTY) return ArrayInfo{name, {0}};
+    if (copier_of(variable->class_type) == nullptr) return std::nullopt;
+    ArrayInfo array{name, shape_of(*variable)};
+    array.is_complex = variable->isComplex != 0;
+    return array;
   }
 
-  // Those of a single structure: s.x, s.y.
+  [[nodiscard]] Buffer<double> numbers_of(const matvar_t* found, const ArrayInfo& array) const {
+    const CopyNumbers copy = found == nullptr ? nullptr : copier_of(found->class_type);
+    if (copy == nullptr || found->data == nullptr || shape_of(*found) != array.shape ||
+        (found->isComplex != 0) != array.is_complex ||
+        found->nbytes / static_cast<std::size_t>(std::max(found->data_size, 1)) < array.size()) {
+      damaged(array.name);
+    }
+    Buffer<double> numbers(array.size());
+    if (!array.is_complex) {
+      copy(found->data, numbers);
+      return last_axis_fastest(numbers, array.shape);
+    }
+    const auto* const parts = static_cast<const mat_complex_split_t*>(found->data);
+    if (parts->Re == nullptr || parts->Im == nullptr) damaged(array.name);
+    copy(parts->Re, numbers);
+    Buffer<double> imaginary(array.size());
+    copy(parts->Im, imaginary);
+    return interleaved(last_axis_fastest(numbers, array.shape), last_axis_fastest(imaginary, array.shape));
+  }
+
+  // The variable, or its field in each structure of an array, or the cells of either.
+  static std::vector<matvar_t*> elements_of(matvar_t* variable, std::size_t field) {
+    if (variable == nullptr) return {};
+    constexpr std::size_t max_elements = std::size_t{1} << 20;
+    const std::size_t count = ArrayInfo{{}, shape_of(*variable)}.size();
+    if (count > max_elements) return {};
+    if (field != no_field) {
+      if (variable->class_type != MAT_C_STRUCT || field >= matio().Mat_VarGetNumberOfFields(variable)) return {};
+      if (count == 1) return elements_of(matio().Mat_VarGetStructFieldByIndex(variable, field, 0), no_field);
+    } else if (variable->class_type != MAT_C_CELL) {
+      return {variable};
+    }
+    std::vector<matvar_t*> elements;
+    for (std::size_t k = 0; k < count && variable->data != nullptr; ++k) {
+      elements.push_back(field == no_field ? matio().Mat_VarGetCell(variable, static_cast<int>(k))
+                                           : matio().Mat_VarGetStructFieldByIndex(variable, field, k));
+    }
+    return elements;
+  }
+
+  void add(matvar_t* variable, const std::string& name, const Location& location) {
+    const std::vector<matvar_t*> elements = elements_of(variable, location.field);
+    const bool is_list = elements.size() != 1 || elements[0] != field_of(variable, location.field);
+    std::vector<ArrayInfo> infos;
+    for (const matvar_t* const element : elements) {
+      std::optional<ArrayInfo> info = info_of(element, name);
+      if (!info) return;
+      infos.push_back(std::move(*info));
+    }
+    std::optional<ArrayInfo> array = infos.empty() ? std::nullopt
+                                     : is_list     ? array_of_list(name, infos)
+                                                   : std::optional(infos[0]);
+    if (!array) return;
+    arrays_.push_back(std::move(*array));
+    places_.push_back(location);
+  }
+
+  static matvar_t* field_of(matvar_t* variable, std::size_t field) {
+    return field == no_field ? variable : matio().Mat_VarGetStructFieldByIndex(variable, field, 0);
+  }
+
+  // s.x, s.y, of one structure or of each in an array.
   void add_fields(matvar_t* variable, const std::string& name) {
-    if (ArrayInfo{{}, shape_of(*variable)}.size() != 1) return;
     char* const* const names = matio().Mat_VarGetStructFieldnames(variable);
     const std::size_t count = matio().Mat_VarGetNumberOfFields(variable);
+    const std::size_t structures = ArrayInfo{{}, shape_of(*variable)}.size();
+    if (structures == 0 || variable->data == nullptr) return;
     for (std::size_t k = 0; names != nullptr && k < count; ++k) {
-      const matvar_t* const field = matio().Mat_VarGetStructFieldByIndex(variable, k, 0);
-      if (field != nullptr && names[k] != nullptr) add(*field, name + "." + names[k], name, k);
+      if (names[k] != nullptr) add(variable, name + "." + names[k], {name, k});
     }
   }
 

@@ -7,6 +7,7 @@
 
 #include "engine/files/byte_order.hpp"
 #include "engine/files/formats/arrays.hpp"
+#include "engine/files/formats/conventions.hpp"
 #include "engine/files/formats/readers.hpp"
 #include "engine/files/text_points.hpp"
 #include "lober/base/error.hpp"
@@ -18,6 +19,7 @@ namespace {
 struct NumberType {
   double (*load)(const std::byte*, bool swap) = nullptr;
   std::size_t size = 1;
+  bool is_float = false, is_signed = true;
 };
 
 NumberType number_type(std::uint32_t code) {
@@ -30,19 +32,19 @@ NumberType number_type(std::uint32_t code) {
     case 4:
       return {load_number<std::int32_t, std::uint32_t>, 4};
     case 5:
-      return {load_number<float, std::uint32_t>, 4};
+      return {load_number<float, std::uint32_t>, 4, true};
     case 6:
-      return {load_number<double, std::uint64_t>, 8};
+      return {load_number<double, std::uint64_t>, 8, true};
     case 7:
-      return {load_number<std::uint8_t, std::uint8_t>, 1};
+      return {load_number<std::uint8_t, std::uint8_t>, 1, false, false};
     case 8:
-      return {load_number<std::uint16_t, std::uint16_t>, 2};
+      return {load_number<std::uint16_t, std::uint16_t>, 2, false, false};
     case 9:
-      return {load_number<std::uint32_t, std::uint32_t>, 4};
+      return {load_number<std::uint32_t, std::uint32_t>, 4, false, false};
     case 10:
       return {load_number<std::int64_t, std::uint64_t>, 8};
     case 11:
-      return {load_number<std::uint64_t, std::uint64_t>, 8};
+      return {load_number<std::uint64_t, std::uint64_t>, 8, false, false};
     default:
       return {nullptr, code == characters ? std::size_t{1} : std::size_t{0}};
   }
@@ -89,9 +91,36 @@ class NetCdfFile final : public ArrayFile {
         numbers[piece * in_piece + k] = variable.type.load(from + k * variable.type.size, swaps);
       }
     }
-    apply_conventions(numbers, {variable.attributes.fill, variable.attributes.missing}, variable.attributes.scale,
-                      variable.attributes.shift);
+    const NumberType& type = variable.type;
+    apply_conventions(numbers, variable.attributes, {type.size, type.is_float, type.is_signed}, true);
     return numbers;
+  }
+
+  // Rows of characters: the names of curves.
+  [[nodiscard]] std::vector<std::string> texts(std::string_view name) override {
+    const auto found = std::find_if(variables_.begin(), variables_.end(), [&](const Variable& one) {
+      return one.name == name && one.type.load == nullptr && one.dimensions.size() == 2;
+    });
+    if (found == variables_.end()) return {};
+    const std::size_t rows = found->has_records ? records_ : dimensions_[found->dimensions[0]].size;
+    const std::size_t width = dimensions_[found->dimensions[1]].size, step = found->has_records ? record_size_ : width;
+    if (found->begin > bytes_.size() || width > bytes_.size() - found->begin || width == 0 ||
+        (rows > 1 && step > (bytes_.size() - found->begin - width) / (rows - 1))) {
+      fail("ends in the texts of " + found->name);
+    }
+    std::vector<std::string> texts;
+    for (std::size_t row = 0; row < rows; ++row) {
+      const char* const from = reinterpret_cast<const char*>(bytes_.data() + found->begin + row * step);
+      const std::string_view text(from, width);
+      texts.emplace_back(without_blanks(text.substr(0, text.find('\0'))));
+    }
+    return texts;
+  }
+
+  [[nodiscard]] std::string names_of_curves() const override {
+    const auto found =
+        std::find_if(variables_.begin(), variables_.end(), [](const Variable& one) { return one.attributes.is_name; });
+    return found == variables_.end() ? std::string() : found->name;
   }
 
  private:
@@ -99,13 +128,10 @@ class NetCdfFile final : public ArrayFile {
     std::string name;
     std::size_t size;  // 0: that of the records
   };
-  struct Attributes {
-    std::optional<double> fill, missing, scale, shift;
-  };
   struct Variable {
     std::string name;
     std::vector<std::size_t> dimensions;  // by their numbers
-    Attributes attributes;
+    Conventions attributes;
     NumberType type;
     std::size_t begin = 0;
     bool has_records = false;
@@ -146,21 +172,26 @@ class NetCdfFile final : public ArrayFile {
     return length;
   }
 
-  Attributes attributes() {
+  Conventions attributes() {
     constexpr std::uint32_t attributes_tag = 12;
-    Attributes known;
+    Conventions known;
     for (std::size_t left = list(attributes_tag); left > 0; --left) {
       const std::string name = text();
       const NumberType type = number_type(word());
       const std::size_t length = count();
       if (type.size == 0 || length > bytes_.size()) fail("has a damaged head");
       const std::span<const std::byte> values = take(padded(length * type.size));
-      if (length != 1 || type.load == nullptr) continue;
-      const double value = type.load(values.data(), swaps);
-      if (name == "_FillValue") known.fill = value;
-      if (name == "missing_value") known.missing = value;
-      if (name == "scale_factor") known.scale = value;
-      if (name == "add_offset") known.shift = value;
+      if (type.load == nullptr) {
+        const std::string_view text(reinterpret_cast<const char*>(values.data()), length);
+        heed(known, name, text.substr(0, text.find('\0')));
+        continue;
+      }
+      constexpr std::size_t max_heeded = 64;  // missing values
+      std::vector<double> numbers(std::min(length, max_heeded));
+      for (std::size_t k = 0; k < numbers.size(); ++k) {
+        numbers[k] = type.load(values.data() + k * type.size, swaps);
+      }
+      heed(known, name, numbers);
     }
     return known;
   }
@@ -222,6 +253,7 @@ class NetCdfFile final : public ArrayFile {
         array.shape.push_back(dimension.size == 0 ? records_ : dimension.size);
         array.axes.push_back(dimension.name);
       }
+      array.role = role_by(variable.attributes);
       arrays_.push_back(std::move(array));
       places_.push_back(k);
     }

@@ -33,8 +33,9 @@ using Load = double (*)(const std::byte*, bool);
 // How an element is read, and its size; null for elements that are not numbers.
 struct Element {
   Load load = nullptr;
-  std::size_t size = 1;
+  std::size_t size = 1;  // bytes of a number, of which a complex one has two
   bool swap = false;
+  bool is_complex = false;
 };
 
 Element element_of(const NpyHeader& header) {
@@ -45,6 +46,8 @@ Element element_of(const NpyHeader& header) {
   };
   static constexpr Known known[] = {{"f8", load_number<double, std::uint64_t>, 8},
                                     {"f4", load_number<float, std::uint32_t>, 4},
+                                    {"c8", load_number<float, std::uint32_t>, 4},
+                                    {"c16", load_number<double, std::uint64_t>, 8},
                                     {"f2", load_half, 2},
                                     {"i8", load_number<std::int64_t, std::uint64_t>, 8},
                                     {"i4", load_number<std::int32_t, std::uint32_t>, 4},
@@ -55,11 +58,13 @@ Element element_of(const NpyHeader& header) {
                                     {"u2", load_number<std::uint16_t, std::uint16_t>, 2},
                                     {"u1", load_number<std::uint8_t, std::uint8_t>, 1},
                                     {"b1", load_number<std::uint8_t, std::uint8_t>, 1}};
-  if (header.type.size() != 3) return {};
+  if (header.type.size() < 3) return {};
   constexpr bool little = std::endian::native == std::endian::little;
   const char order = header.type.front();
   for (const Known& one : known) {
-    if (header.type.substr(1) == one.type) return {one.load, one.size, order == (little ? '>' : '<')};
+    if (header.type.substr(1) == one.type) {
+      return {one.load, one.size, order == (little ? '>' : '<'), one.type.front() == 'c'};
+    }
   }
   return {};
 }
@@ -79,19 +84,32 @@ bool holds_numbers(const NpyHeader& header) {
   return element_of(header).load != nullptr;
 }
 
+bool holds_complex_numbers(const NpyHeader& header) {
+  return element_of(header).is_complex;
+}
+
 Buffer<double> npy_numbers(const NpyHeader& header, std::span<const std::byte> data, const std::string& path) {
   const Element element = element_of(header);
   if (element.load == nullptr) throw DataError(path + ": elements of type " + header.type + " are not numbers");
+  const std::size_t parts = element.is_complex ? 2 : 1, size = parts * element.size;
   const std::size_t count = ArrayInfo{{}, header.shape}.size();
-  if (data.size() % element.size != 0 || data.size() / element.size != count) {
+  if (data.size() % size != 0 || data.size() / size != count) {
     throw DataError(path + ": the NPY header promises " + std::to_string(count) + " numbers of " +
-                    std::to_string(element.size) + " bytes, there are " + std::to_string(data.size()) + " bytes");
+                    std::to_string(size) + " bytes, there are " + std::to_string(data.size()) + " bytes");
   }
-  Buffer<double> numbers(count);
-  for_each_block(count, std::size_t{1} << 16, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) numbers[k] = element.load(data.data() + k * element.size, element.swap);
-  });
-  return header.fortran_order ? last_axis_fastest(numbers, header.shape) : numbers;
+  const auto loaded = [&](std::size_t first, std::size_t step, std::size_t numbers) {
+    Buffer<double> result(numbers);
+    for_each_block(numbers, std::size_t{1} << 16, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        result[k] = element.load(data.data() + (first + k * step) * element.size, element.swap);
+      }
+    });
+    return result;
+  };
+  if (!header.fortran_order) return loaded(0, 1, parts * count);
+  if (!element.is_complex) return last_axis_fastest(loaded(0, 1, count), header.shape);
+  return interleaved(last_axis_fastest(loaded(0, 2, count), header.shape),
+                     last_axis_fastest(loaded(1, 2, count), header.shape));
 }
 
 std::vector<std::string> npy_texts(const NpyHeader& header, std::span<const std::byte> data) {

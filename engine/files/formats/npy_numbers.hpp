@@ -11,11 +11,13 @@
 
 namespace lober::detail {
 
-/// Whether the elements are numbers that are read: integers, floats of two to eight bytes, true and false.
+/// Whether the elements are numbers that are read: integers, floats of two to eight bytes, complex numbers of two
+/// floats of four or eight bytes, true and false.
 [[nodiscard]] bool holds_numbers(const NpyHeader& header);
+[[nodiscard]] bool holds_complex_numbers(const NpyHeader& header);
 
-/// The numbers behind the header, the last axis fastest. Throws DataError "path: ..." where they are fewer or more than
-/// the header promises.
+/// The numbers behind the header, the last axis fastest; of a complex one real and imaginary part. Throws DataError
+/// "path: ..." where they are fewer or more than the header promises.
 [[nodiscard]] Buffer<double> npy_numbers(const NpyHeader& header, std::span<const std::byte> data,
                                          const std::string& path);
 

@@ -75,6 +75,7 @@ class NpzFile final : public ArrayFile {
       }
       if (holds_numbers(member.header)) {
         arrays_.push_back({name, member.header.shape});
+        arrays_.back().is_complex = holds_complex_numbers(member.header);
         members_.push_back(std::move(member));
       } else {
         others_.push_back(std::move(member));

@@ -77,7 +77,8 @@ void put_tecplot(OutputFile& file, std::span<const Zone> zones, const WriteOptio
   put_zones(file, zones, options.zone_lines);
 }
 
-void put_text(OutputFile& file, std::span<const Zone> zones, const WriteOptions&) {
+void put_text(OutputFile& file, std::span<const Zone> zones, const WriteOptions& options) {
+  file.write(comment_lines(options));
   for (const Zone& zone : zones) {
     if (zones.size() > 1) {
       std::string title = zone.title;
@@ -88,7 +89,8 @@ void put_text(OutputFile& file, std::span<const Zone> zones, const WriteOptions&
   }
 }
 
-void put_csv(OutputFile& file, std::span<const Zone> zones, const WriteOptions&) {
+void put_csv(OutputFile& file, std::span<const Zone> zones, const WriteOptions& options) {
+  file.write(comment_lines(options));
   if (zones.size() == 1) return put_points(file, zones.front().points, ',');
   file.write("x,y,curve\n");
   for (std::size_t k = 0; k < zones.size(); ++k) put_points(file, zones[k].points, ',', "," + std::to_string(k));

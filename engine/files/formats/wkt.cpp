@@ -236,13 +236,17 @@ void read_wkt(const FileSource& source, CurveFile& file) {
 namespace {
 
 void append_ring(std::string& text, const Zone& zone, bool closed) {
+  if (zone.points.empty()) {
+    text += "EMPTY";
+    return;
+  }
   text += '(';
   const auto append = [&](Point point) { text += format_number(point.x) + ' ' + format_number(point.y); };
   for (const Point& point : zone.points) {
     if (&point != zone.points.data()) text += ", ";
     append(point);
   }
-  if (closed && !zone.points.empty()) {
+  if (closed) {
     text += ", ";
     append(zone.points.front());
   }
@@ -254,13 +258,15 @@ void append_ring(std::string& text, const Zone& zone, bool closed) {
 std::string wkt_bytes(std::span<const Zone> zones, const WriteOptions& options) {
   std::string text = comment_lines(options);
   for (std::size_t k = 0; k < zones.size();) {
-    text += options.closed ? "POLYGON (" : "LINESTRING ";
+    const bool has_brackets = options.closed && !zones[k].points.empty();
+    text += options.closed ? "POLYGON " : "LINESTRING ";
+    if (has_brackets) text += '(';
     append_ring(text, zones[k], options.closed);
-    for (++k; options.closed && k < zones.size() && zones[k].hole; ++k) {
+    for (++k; has_brackets && k < zones.size() && zones[k].hole; ++k) {
       text += ", ";
       append_ring(text, zones[k], true);
     }
-    text += options.closed ? ")\n" : "\n";
+    text += has_brackets ? ")\n" : "\n";
   }
   return text;
 }

@@ -20,7 +20,7 @@ namespace lober {
 enum class Format : std::uint8_t {
   tecplot,    ///< Tecplot ASCII: VARIABLES, TITLE, ZONE lines, then one point a line
   text,       ///< a table: columns separated by commas, semicolons, blanks or tabs; a header line is allowed
-  npy,        ///< NumPy: N x 2 or 2 x N, float64 or float32 of either byte order, C or Fortran order
+  npy,        ///< NumPy: N x 2 or 2 x N floats or integers, or N complex numbers, in any order
   raw,        ///< native float64 pairs, nothing else
   npz,        ///< NumPy archive of named arrays
   mat,        ///< MATLAB, versions 4 to 7.3
@@ -65,10 +65,12 @@ struct ReadOptions {
   /// curve a row belongs to: "lon,lat", "2,3", "x,y,by=id". Empty: a table has two columns, or more, of which the first
   /// two are named x and y or longitude and latitude.
   ///
-  /// Arrays of an NPZ, MAT, HDF5 or NetCDF file: two of one shape, "x,y" or "/group/x,/group/y", or one of N x 2 or 2 x
-  /// N numbers, "xy"; perhaps "by=ID", an array that says which curve each point belongs to, or "offsets=O", where each
-  /// curve begins and the last one ends. Arrays of two axes are one curve a row (MATLAB: a column), which may end in
-  /// NaN. Empty: arrays called x and y, or longitude and latitude, or the only one of N x 2 or 2 x N numbers.
+  /// Arrays of an NPZ, MAT, HDF5 or NetCDF file: two of one shape, "x,y" or "/group/x,/group/y", or one of points,
+  /// "xy": N x 2 or 2 x N numbers, or complex ones; perhaps "by=ID", an array that says which curve each point belongs
+  /// to, "offsets=O", where each curve begins and the last one ends, or "counts=N", the number of points of each.
+  /// Arrays of two axes are one curve a row (MATLAB: a column); points where a coordinate is NaN are not there. Empty:
+  /// arrays called x and y, or longitude and latitude, or the only one of points, parted as the attributes of CF say.
+  /// Names with commas are in quotes: "\"x, m\",\"y, m\"".
   std::string columns = {};
   /// Periods of x and y, for `read_curve`: a curve that was stored modulo them is followed across the seam.
   Periods periods = {};
@@ -94,6 +96,7 @@ struct NamedCurve {
   std::string sha256;     ///< hash of the whole file
   std::size_t zone = 0;   ///< number of its zone, from 0
   std::size_t zones = 1;  ///< number of zones of the file
+  std::string group;      ///< its title, where titles and not positions name the zones (CurveFile::titled_by_group)
   /// Says how a curve was closed, or that it consists of longitudes and latitudes; nearly always empty.
   std::string remark;
 };
@@ -102,13 +105,19 @@ struct NamedCurve {
 /// file has several zones and none is chosen, or the chosen one is not there.
 [[nodiscard]] LOBER_API NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& options = {});
 
+/// All curves of `FILE` or `FILE:COLUMNS`, or the one that `FILE#K` or `FILE#TITLE` names (NamedCurve), as they are in
+/// the file. Throws as `read_curve_file`, and DataError where the zone is not there, UsageError where columns are
+/// chosen by `spec` and by the options.
+[[nodiscard]] LOBER_API CurveFile read_curves(const std::string& spec, const ReadOptions& options = {});
+
 /// Whether a file names its columns as latitude and longitude, in that order; nothing where it names neither.
 [[nodiscard]] LOBER_API std::optional<bool> latitude_first(const CurveFile& file);
 /// Throws DataError when one curve has columns of latitude and longitude and the other of longitude and latitude.
 LOBER_API void require_same_columns(const Curve& first, const Curve& second);
 
-/// The number of points of a file: exact for NPY and raw float64; for text an estimate from the length of its first
-/// lines. 0 if the file cannot be read. At most 64 KiB are read.
+/// The number of points of a file: exact for NPY and raw float64; for text, GeoJSON and WKT an estimate from the first
+/// lines or positions, for files compressed by gzip one from above. 0 if the file cannot be read. At most 64 KiB are
+/// read.
 [[nodiscard]] LOBER_API std::size_t estimate_points(const std::string& path);
 
 /// Writers. Numbers are written in the shortest form that reads back to the same bits. The file appears under

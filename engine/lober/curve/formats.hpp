@@ -38,7 +38,7 @@ struct WriteOptions {
   bool closed = false;                ///< curves are closed, so that formats that tell the two apart hold polygons
   ZoneLines zone_lines = ZoneLines::where_needed;  ///< those of a Tecplot file
   /// Notes on where the file comes from, such as {"version", "0.3.0"}, {"input 1", "a.csv sha256 ..."}: into formats
-  /// that have room for it (all but NPY, raw float64 and tables of text).
+  /// that have room for it (all but NPY and raw float64), in tables of text as comments before the first line.
   std::vector<std::pair<std::string, std::string>> provenance = {};
 };
 

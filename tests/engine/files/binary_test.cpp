@@ -86,10 +86,11 @@ TEST(Npy, ReadsHeadersThatAreWrittenOtherwise) {
 TEST(Npy, RefusesWhatItCannotRead) {
   const std::string data = data_of("<f8", true, binary_points);
   const auto error = [&](const std::string& header) { return read_error(npy(header, data)); };
-  EXPECT_EQ(error(header_of("<i8", false, "(3, 2)")), "in: element type \"<i8\": expected <f8, >f8, <f4 or >f4");
-  EXPECT_EQ(error(header_of("|S8", false, "(3, 2)")), "in: element type \"|S8\": expected <f8, >f8, <f4 or >f4");
-  EXPECT_EQ(error(header_of("|f8", false, "(3, 2)")), "in: element type \"|f8\": expected <f8, >f8, <f4 or >f4");
-  EXPECT_EQ(error(header_of("<c16", false, "(3, 2)")), "in: element type \"<c16\": expected <f8, >f8, <f4 or >f4");
+  EXPECT_EQ(error(header_of("|S8", false, "(3, 2)")),
+            "in: element type \"|S8\": expected numbers, such as <f8, >f4, <i4 or <c16");
+  EXPECT_EQ(error(header_of("|f8", false, "(3, 2)")),
+            "in: element type \"|f8\": expected numbers, such as <f8, >f4, <i4 or <c16");
+  EXPECT_EQ(error(header_of("<c16", false, "(3, 2)")), "in: shape (3, 2) of complex numbers: expected (N,)");
   EXPECT_EQ(error("{'descr': [('x', '<f8')], 'fortran_order': False, 'shape': (3,)}"),
             "in: NPY header: structured arrays are not supported");
   EXPECT_EQ(error(header_of("<f8", false, "(6,)")), "in: shape (6): expected (N, 2) or (2, N)");
@@ -112,6 +113,30 @@ TEST(Npy, RefusesWhatItCannotRead) {
   EXPECT_EQ(error("{'descr': '<f8', 'fortran_order': Maybe}"),
             "in: NPY header: expected True or False before \"Maybe}\"");
   EXPECT_EQ(read_error(npy(header_of("<f8", false, "(0, 2)"), "")), "in: no points");
+}
+
+// Integers, halves and complex numbers, in either order.
+TEST(Npy, ReadsOtherNumbers) {
+  const std::vector<Point> expected{{1, -2}, {3, 4}, {0, 7}};
+  const auto bytes = [](std::initializer_list<int> all) {
+    std::string text;
+    for (const int one : all) text += static_cast<char>(one);
+    return text;
+  };
+  const auto points = [](const std::string& file) { return read(file).zones.at(0).points; };
+  EXPECT_EQ(points(npy(header_of("|i1", false, "(3, 2)"), bytes({1, -2, 3, 4, 0, 7}))), expected);
+  EXPECT_EQ(points(npy(header_of("<i2", true, "(3, 2)"), bytes({1, 0, 3, 0, 0, 0, -2, -1, 4, 0, 7, 0}))), expected);
+  EXPECT_EQ(points(npy(header_of(">i2", false, "(2, 3)"), bytes({0, 1, 0, 3, 0, 0, -1, -2, 0, 4, 0, 7}))), expected);
+  EXPECT_EQ(points(npy(header_of("<f2", false, "(3, 2)"), bytes({0, 0x3C, 0, 0xC0, 0, 0x42, 0, 0x44, 0, 0, 0, 0x47}))),
+            expected);
+  for (const char* const shape : {"(3,)", "(3, 1)", "(1, 3)"}) {
+    for (const bool fortran : {false, true}) {
+      EXPECT_EQ(points(npy(header_of("<c16", fortran, shape), data_of("<f8", true, expected))), expected) << shape;
+      EXPECT_EQ(points(npy(header_of(">c8", fortran, shape), data_of(">f4", true, expected))), expected) << shape;
+    }
+  }
+  EXPECT_EQ(read_error(npy(header_of("<i4", false, "(3, 2)"), "12345")),
+            "in: the NPY header promises 6 numbers of 4 bytes, there are 5 bytes");
 }
 
 TEST(Npy, EveryTruncationIsAnError) {

@@ -20,6 +20,7 @@ TEST(Foreign, IsNamedWithAWayToConvert) {
   const std::string noise(600, '\x07');
   const std::vector<std::pair<std::string, const char*>> files{
       {"PK\x03\x04" + std::string(22, '\x01') + "\x05\0\0\0arr_0.npy"s + noise, "zip archive"},
+      {std::string(257, '\0') + "ustar\00000"s + noise, "tar xf"},
       {"BZh9" + noise, "bzip2"},
       {"\xFD"s + "7zXZ\0"s + noise, "xz"},
       {"\x28\xB5\x2F\xFD" + noise, "zstd"},
@@ -87,6 +88,59 @@ TEST(RawNumbers, OfFloat32AreNotReadAsFloat64) {
       const std::string message = read_error(raw<float>(curve(1000, centre, size)));
       EXPECT_NE(message.find("float32"), std::string::npos) << centre.x << ' ' << size << ": " << message;
       EXPECT_NE(message.find(".f64"), std::string::npos) << message;
+    }
+  }
+}
+
+// Few of them, and in no order.
+TEST(RawNumbers, OfFloat32WithoutACurveAreNotReadAsFloat64) {
+  std::mt19937_64 random(11);
+  for (const std::size_t points : {8UL, 12UL, 30UL, 34UL, 1000UL}) {
+    for (const double size : {0.01, 1.0, 90.0, 5000.0}) {
+      for (int repeat = 0; repeat < 50; ++repeat) {
+        std::uniform_real_distribution<double> uniform(-size, size);
+        std::vector<Point> all(points);
+        for (Point& point : all) point = {uniform(random), uniform(random)};
+        const std::string message = read_error(raw<float>(all));
+        EXPECT_NE(message.find("float32"), std::string::npos) << points << ' ' << size << ": " << message;
+      }
+    }
+  }
+}
+
+// Corners of boxes, decimals of few digits, thirds, steps, random numbers: in files of any length.
+TEST(RawNumbers, OfFloat64InShortFilesAreRead) {
+  std::mt19937_64 random(12);
+  std::uniform_real_distribution<double> uniform(-3, 3);
+  for (std::size_t points = 3; points < 60; ++points) {
+    for (int kind = 0; kind < 40; ++kind) {
+      std::vector<Point> all;
+      for (std::size_t k = 0; k < points; ++k) {
+        const auto t = static_cast<double>(k);
+        switch (kind) {
+          case 0:
+            all.push_back({0.1 * t, 0.7 - 0.1 * t});
+            break;
+          case 1:
+            all.push_back({t / 3, 1 - t / 7});
+            break;
+          case 2:
+            all.push_back({t, static_cast<double>(k * k)});
+            break;
+          case 3:
+            all.push_back({0.7 * std::exp2(t), 0.7});
+            break;
+          case 4:
+            all.push_back({1 + t * 0x1p-30, 1.25 + t * 0x1p-29});
+            break;
+          case 5:
+            all.push_back({double{static_cast<float>(uniform(random))}, double{static_cast<float>(uniform(random))}});
+            break;
+          default:
+            all.push_back({uniform(random), std::ldexp(uniform(random), kind - 20)});
+        }
+      }
+      EXPECT_TRUE(test::same_bits(read(raw<double>(all)).zones.at(0).points, all)) << points << ' ' << kind;
     }
   }
 }

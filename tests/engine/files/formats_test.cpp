@@ -6,17 +6,22 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iostream>
 #include <random>
 #include <sstream>
 
-#include "curve_testing.hpp"
 #include "engine/files/read_memory.hpp"
-#include "tests/paths.hpp"
+#include "formats_testing.hpp"
 
 namespace lober::detail {
 namespace {
 
+using test::corpus;
 using test::error_of;
+using test::expect_points;
+using test::first;
+using test::moved;
+using test::read_corpus;
 
 std::string usage_error_of(const std::function<void()>& action) {
   try {
@@ -27,39 +32,9 @@ std::string usage_error_of(const std::function<void()>& action) {
   return "no error";
 }
 
-const std::vector<Point> first{{0, 0}, {1, 0.1}, {1.5, 1}, {0.1, 1.25}, {-0.3, 0.7}};
-
-std::vector<Point> moved(std::vector<Point> points = first) {
-  for (Point& point : points) point = {point.x + 2, point.y + 1};
-  return points;
-}
-
 std::vector<Point> ring(std::vector<Point> points) {
   points.push_back(points.front());
   return points;
-}
-
-std::string corpus(const std::string& name) {
-  return std::string(LOBER_SOURCE_DIR) + "/tests/corpus/formats/" + name;
-}
-
-// Skips, with the reason, where this build or machine has no library for the format.
-#define REQUIRE_FORMAT(wanted)                                                          \
-  for (const FormatInfo& info : formats()) {                                            \
-    if (info.format == (wanted) && !info.missing.empty()) GTEST_SKIP() << info.missing; \
-  }                                                                                     \
-  static_assert(true)
-
-CurveFile read_corpus(const std::string& name, const std::string& columns = {}) {
-  return read_curve_file(corpus(name), {.columns = columns});
-}
-
-void expect_points(const Zone& zone, const std::vector<Point>& expected, double within = 0) {
-  ASSERT_EQ(zone.points.size(), expected.size()) << zone.title;
-  for (std::size_t k = 0; k < expected.size(); ++k) {
-    EXPECT_NEAR(zone.points[k].x, expected[k].x, within) << zone.title << ' ' << k;
-    EXPECT_NEAR(zone.points[k].y, expected[k].y, within) << zone.title << ' ' << k;
-  }
 }
 
 void expect_both(const CurveFile& file, Format format, double within = 0) {
@@ -133,7 +108,8 @@ TEST(Formats, GeoJson) {
   EXPECT_EQ(file.format, Format::geojson);
   ASSERT_EQ(file.zones.size(), 7U);
   expect_points(file.zones[0], ring(first));
-  EXPECT_EQ(file.zones[0].title, "one 1");
+  EXPECT_EQ(file.zones[0].title, "one");
+  EXPECT_EQ(file.zones[1].title, "one, hole 1");
   EXPECT_FALSE(file.zones[0].hole);
   EXPECT_EQ(file.zones[1].points.size(), 4U);
   EXPECT_TRUE(file.zones[1].hole);
@@ -170,6 +146,8 @@ TEST(Formats, WellKnownText) {
                 .size(),
             3U);
   EXPECT_EQ(zones("GEOMETRYCOLLECTION (POINT (1 2), LINESTRING EMPTY, MULTIPOINT ((1 1), (2 2)))").size(), 2U);
+  EXPECT_EQ(zones("POLYGON EMPTY\nMULTIPOLYGON (EMPTY, ((0 0, 1 0, 1 1, 0 0)))\nPOLYGON Z EMPTY\n").size(), 1U);
+  EXPECT_EQ(error_of([] { (void)read_text_file("POLYGON EMPTY"); }), "in: no points");
   EXPECT_EQ(zones("MULTIPOINT (1 1, 2 2, 3 3)").at(0).points.size(), 3U);
   EXPECT_EQ(zones("POINT (1 2)\nPOINT (3 4)\n").at(0).points.size(), 2U);
   // The header of a table.
@@ -189,7 +167,7 @@ TEST(Formats, ChoicesOfColumnsAreForTablesAndArrays) {
 TEST(Formats, ArraysThatAreNotThereAreNamedWithThoseThatAre) {
   REQUIRE_FORMAT(Format::npz);
   EXPECT_EQ(error_of([] { (void)read_curve_file(corpus("two.npz"), {.columns = "u,y"}); }),
-            corpus("two.npz") + ": has no array of real numbers called \"u\"; it holds x (2 x 5), y (2 x 5)");
+            corpus("two.npz") + ": has no array of numbers called \"u\"; it holds x (2 x 5), y (2 x 5)");
   EXPECT_EQ(error_of([] { (void)read_curve_file(corpus("one.npz"), {.columns = "xy,half"}); }),
             corpus("one.npz") + ": arrays xy (5 x 2) and half (5): expected equal shapes");
   EXPECT_EQ(error_of([] { (void)read_curve_file(corpus("one.npz"), {.columns = "half"}); }),
@@ -248,6 +226,37 @@ TEST_F(WrittenFormats, SameBytesEachTime) {
   }
 }
 
+TEST_F(WrittenFormats, CurvesWithoutPointsAreEmptyInWkt) {
+  for (const bool closed : {false, true}) {
+    write_curves(path("e.wkt"), std::vector<Zone>{{"a", {}}, {"b", first}}, {.closed = closed});
+    EXPECT_TRUE(content(path("e.wkt")).starts_with(closed ? "POLYGON EMPTY\nPOLYGON ((0 0, " : "LINESTRING EMPTY\n"));
+    EXPECT_EQ(read_curve_file(path("e.wkt")).zones.size(), 1U);
+  }
+}
+
+// From the first positions; from above where the file is compressed.
+TEST_F(WrittenFormats, PointsAreEstimated) {
+  std::vector<Zone> zones;
+  for (int k = 0; k < 300; ++k) zones.push_back({"", {}, 1});
+  std::mt19937_64 random(2);
+  for (Zone& zone : zones) {
+    for (int k = 0; k < 100; ++k)
+      zone.points.push_back({std::uniform_real_distribution<double>(-1, 1)(random), 1.0 * k});
+  }
+  for (const char* const name : {"e.txt", "e.geojson", "e.wkt", "e.npz"}) {
+    if (const auto all = formats(); std::any_of(all.begin(), all.end(), [&](const FormatInfo& one) {
+          return one.format == format_of_name(name) && !one.missing.empty();
+        })) {
+      std::cout << name << " is left out: its library is not there\n";
+      continue;
+    }
+    write_curves(path(name), zones);
+    EXPECT_NEAR(static_cast<double>(estimate_points(path(name))), 30000, 4000) << name;
+  }
+  EXPECT_GE(estimate_points(corpus("table.txt.gz")), 5U);
+  EXPECT_LE(estimate_points(corpus("table.txt.gz")), 50U);
+}
+
 TEST_F(WrittenFormats, EndingsThatCannotBeWritten) {
   const std::vector<Zone> two{{"a", first}, {"b", moved()}};
   EXPECT_NE(usage_error_of([&] { write_curves(path("x.mat"), two); })
@@ -256,7 +265,7 @@ TEST_F(WrittenFormats, EndingsThatCannotBeWritten) {
             std::string::npos);
   EXPECT_NE(usage_error_of([&] {
               write_curves(path("x.npy"), two);
-            }).find("several curves need another format than npy, which holds one"),
+            }).find("several curves need another format than npy, which holds one; several are written as .csv, .txt"),
             std::string::npos);
   EXPECT_NE(usage_error_of([&] { write_curves(path("x"), two); }).find("the ending does not name a format"),
             std::string::npos);

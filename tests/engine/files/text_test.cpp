@@ -138,6 +138,31 @@ TEST(Tecplot, FilesPutOneBehindTheOtherAreNotOneCurve) {
   EXPECT_EQ(file.zones[1].line, 4U);
 }
 
+// Three variables: the first two where they are x and y, or those that are chosen.
+TEST(Tecplot, VariablesAreChosen) {
+  const std::string text =
+      "TITLE=\"5 of 7\"\nVARIABLES = \"X\",\n \"Y\" \"u 10\"\nZONE I = 2 T=\"a\"\n1 2 3\n4,5,6\n\nZONE N=1\n7\t8\t9 # "
+      "c\n";
+  const auto zones = [&](const std::string& columns, std::size_t chunk) {
+    std::vector<std::vector<Point>> all;
+    for (Zone& zone : read_curve_bytes("in", test::bytes_of(text), chunk, columns).zones) all.push_back(zone.points);
+    return all;
+  };
+  using Zones = std::vector<std::vector<Point>>;
+  for (const std::size_t chunk : {std::size_t{1}, std::size_t{20}, default_chunk_size}) {
+    EXPECT_EQ(zones("", chunk), (Zones{{{1, 2}, {4, 5}}, {{7, 8}}}));
+    EXPECT_EQ(zones("u 10,y", chunk), (Zones{{{3, 2}, {6, 5}}, {{9, 8}}}));
+    EXPECT_EQ(zones("3,1", chunk), (Zones{{{3, 1}, {6, 4}}, {{9, 7}}}));
+  }
+  const auto error = [&](const std::string& columns) {
+    return test::error_of([&] { (void)read_curve_bytes("in", test::bytes_of(text), default_chunk_size, columns); });
+  };
+  EXPECT_EQ(error("x,z"), "in: has no column \"z\"; its columns are X, Y, u 10");
+  EXPECT_EQ(error("x,y,by=3"), "in: zones part the curves of Tecplot files, not a column");
+  EXPECT_EQ(test::error_of([] { (void)read_curve_bytes("in", test::bytes_of("ZONE\n1 2\n"), 9, "1,2"); }),
+            "in: this Tecplot file has no VARIABLES record, whose names choose columns");
+}
+
 TEST(Tecplot, TitlesSurviveQuoting) {
   for (const std::string title :
        {"", "plain", "a \"b\" c", "back\\slash", "end\\", "''", "#1", "tab\there", "T=1, I=7"}) {
@@ -200,8 +225,9 @@ TEST(TextErrors, SayWhereAndWhat) {
       {"ZONE hello\n1 2\n", "in:1: expected KEY=VALUE in a ZONE record, found \"hello\""},
       {"VARIABLES=\"x\"\n1 2\n3 4\n", "in:1: expected two variables, found 1"},
       {"# c\nVARIABLES=\"x y\"\nZONE\n1 2\n", "in:2: expected two variables, found 1"},
-      {"VARIABLES=\"x\",\"y\",\"z\"\n1 2 3\n", "in:1: expected two variables, found 3"},
-      {"VARIABLES=\"x\"\n\"y\"\n\"z\"\n1 2 3\n", "in:3: expected two variables, found 3"},
+      {"VARIABLES=\"t\",\"x\",\"y\"\n1 2 3\n", "in:1: expected two variables, found 3; choose two by FILE:NAME,NAME"},
+      {"VARIABLES=\"t\"\n\"x\"\n\"y\"\n1 2 3\n", "in:3: expected two variables, found 3; choose two by FILE:NAME,NAME"},
+      {"VARIABLES=\"x\",\"y\",\"z\"\nZONE\n1 2\n", "in:3: expected 3 columns, one for each variable, found 2"},
       {"ZONE T=\"a\"\nZONE T=\"b\"\n1 2\n", "in:1: the zone has no points"},
       {"ZONE T=\"a\"\n1 2\nZONE T=\"b\"\n", "in:3: the zone has no points"},
       {"VARIABLES=\"x\"\"y\"\nZONE\n1 2\nhello\n", "in:4: not a number: \"hello\""},
