@@ -30,12 +30,11 @@ function* lines(layer, view, frame, iterate, newPath, step) {
     if (curve.points === 0) continue;
     const finished = [];
     const pen = new LinePen(newPath(), view.width, view.height, step);
-    let segments = 0;
     const next = () => {
       finished.push(pen.path);
       pen.path = newPath();
       pen.open = false;
-      segments = 0;
+      pen.segments = 0;
     };
     curve.walk(0, curve.points - 1, (level, node, boxes) => {
       const at = 4 * node;
@@ -50,8 +49,7 @@ function* lines(layer, view, frame, iterate, newPath, step) {
       return false;
     }, (begin, end) => {
       for (let k = begin; k <= end; ++k) pen.to(view.px(x[k]), view.py(y[k]));
-      segments += end - begin;
-      if (segments > CHUNK) next();
+      if (pen.segments > CHUNK) next();
     });
     finished.push(pen.path);
     for (const path of finished) yield { path, layer, stroke: true };
@@ -112,6 +110,7 @@ export const AREA_OPACITY = 0.35;
 // Draws on a canvas. `dark`: dots without a meaning of their own are light there.
 export function paint(context, scene, view, state, step, theme) {
   context.lineJoin = "round";
+  const thin = step > 0.5; // lines of one pixel take a third of the time
   for (const one of drawings(scene, view, state, () => new Path2D(), step)) {
     const colour = colourOf(one.layer, theme);
     if (one.selected) {
@@ -124,7 +123,7 @@ export function paint(context, scene, view, state, step, theme) {
     } else if (one.stroke) {
       context.globalAlpha = one.layer.kind === "outlines" ? 0.8 : 1;
       context.strokeStyle = colour;
-      context.lineWidth = one.layer.width;
+      context.lineWidth = thin && one.layer.kind === "lines" ? 1 : one.layer.width;
       context.stroke(one.path);
     } else {
       context.globalAlpha = one.dots ? 1 : AREA_OPACITY;

@@ -29,7 +29,7 @@ class Page {
       zoom: (layer, index) => this.look(layer, index),
       inView: () => this.view.box(),
     });
-    fillLayers(scene, (layer) => colourOf(layer, this.theme), () => this.redraw());
+    fillLayers(scene, () => this.redraw());
     fillAbout(scene);
     this.tableOf = fillTableChoice(scene, this.table);
     fillIterates(scene, (n) => {
@@ -101,6 +101,13 @@ class Page {
       if (byId("in-view").checked) this.table.update();
     }, 250);
   }
+  // A canvas draws after the script has ended, so the time between frames tells how long they take.
+  adapt(now) {
+    const took = now - this.lastFrame;
+    this.lastFrame = now;
+    if (!(took < 1000)) return;
+    this.step = Math.min(8, Math.max(0.5, this.step * (took > SLOW ? 1.3 : took < SLOW / 2 ? 0.9 : 1)));
+  }
   redraw() {
     if (this.frame) return;
     this.frame = requestAnimationFrame(() => {
@@ -110,6 +117,7 @@ class Page {
   }
   paint() {
     const { context, view, theme, ratio } = this, begin = performance.now();
+    if (this.moving) this.adapt(begin);
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.fillStyle = theme.ground;
     context.fillRect(0, 0, view.width, view.height);
@@ -117,9 +125,6 @@ class Page {
     paint(context, this.scene, view, this.state, this.moving ? this.step : 0.5, theme);
     this.measure.paint(context, view, theme);
     paintLabels();
-    const took = performance.now() - begin;
-    if (this.moving) this.step = Math.min(4, Math.max(0.5, this.step * (took > SLOW ? 1.4 : took < SLOW / 3 ? 0.8 : 1)));
-    this.took = took;
     byId("zoom").textContent = `zoom ${Number(view.depth.toPrecision(3)).toLocaleString("en")}`;
     byId("end").hidden = !view.atEnd;
     document.documentElement.dataset.frames = String(Number(document.documentElement.dataset.frames || 0) + 1);

@@ -15,7 +15,7 @@ export function describe({ layer, index, point }) {
   return `${nameOf(layer, index)}: ${[...numbers, ...at].join(", ")}`;
 }
 
-export function fillLayers(scene, colour, changed) {
+export function fillLayers(scene, changed) {
   byId("layers").replaceChildren(...scene.layers.map((layer) => {
     const box = element("input", { type: "checkbox", checked: layer.shown });
     box.addEventListener("change", () => {
@@ -24,7 +24,6 @@ export function fillLayers(scene, colour, changed) {
     });
     layer.box = box;
     const swatch = element("span", { className: `swatch ${layer.kind}`, "aria-hidden": "true" });
-    swatch.style.setProperty("--colour", colour(layer));
     layer.swatch = swatch;
     const size = layer.kind === "lines"
       ? `${layer.curves.reduce((sum, one) => sum + one.n, 0).toLocaleString("en")} points`

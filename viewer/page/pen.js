@@ -3,10 +3,30 @@
 
 export const MARGIN = 64; // pixels beyond the frame that are still drawn
 
-// Draws lines into a path (a Path2D, or the text of one for SVG). Points nearer than `step` to the last one are left out.
+// Which cells of the frame a line has been to, so that a tangle that fills them is not drawn a hundred times over.
+class Coverage {
+  constructor(width, height, cell) {
+    this.cell = cell;
+    this.columns = Math.ceil((width + 2 * MARGIN) / cell) + 1;
+    this.rows = Math.ceil((height + 2 * MARGIN) / cell) + 1;
+    this.marks = new Uint8Array(this.columns * this.rows);
+  }
+  // Marks the cell of a point in the frame; whether it was marked before.
+  mark(x, y) {
+    const at = Math.floor((y + MARGIN) / this.cell) * this.columns + Math.floor((x + MARGIN) / this.cell);
+    const before = this.marks[at];
+    this.marks[at] = 1;
+    return before === 1;
+  }
+}
+
+// Draws lines into a path (a Path2D, or the text of one for SVG). Points nearer than `step` to the last one are left out,
+// and short segments between cells of that size that the line has been to.
 export class LinePen {
   constructor(path, width, height, step = 0.5) {
     this.path = path;
+    this.coverage = new Coverage(width, height, step);
+    this.segments = 0; // that were drawn
     this.right = width + MARGIN;
     this.bottom = height + MARGIN;
     this.step = step;
@@ -19,6 +39,7 @@ export class LinePen {
     if (!this.down) {
       this.down = true;
       this.open = false; // whether the path has this.x, this.y as its last point
+      this.seen = inside(x, y, this.right, this.bottom) && this.coverage.mark(x, y);
       this.x = x;
       this.y = y;
       return;
@@ -29,12 +50,19 @@ export class LinePen {
     this.x = x;
     this.y = y;
     if (inside(x0, y0, this.right, this.bottom) && inside(x, y, this.right, this.bottom)) {
+      const before = this.seen;
+      this.seen = this.coverage.mark(x, y);
+      if (before && this.seen && Math.abs(x - x0) + Math.abs(y - y0) < 4 * this.step) {
+        this.open = false;
+        return;
+      }
       if (!this.open) this.path.moveTo(x0, y0);
       this.path.lineTo(x, y);
       this.open = true;
+      ++this.segments;
       return;
     }
-    this.open = false;
+    this.open = this.seen = false;
     const part = cut(x0, y0, x, y, this.right, this.bottom);
     if (!part) return;
     this.path.moveTo(part[0], part[1]);

@@ -17,10 +17,11 @@ export class View {
   }
 
   resize(width, height) {
-    const kept = this.scale;
+    const depth = this.scale === undefined ? undefined : this.depth;
     this.width = Math.max(width, 1);
     this.height = Math.max(height, 1);
-    if (kept === undefined) this.reset();
+    if (depth === undefined) this.reset();
+    else this.scale = Math.min(depth * this.wholeScale, this.maxScale);
   }
 
   get wholeScale() {
