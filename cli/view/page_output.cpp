@@ -1,9 +1,12 @@
 #include "cli/view/page_output.hpp"
 
+#include <algorithm>
+#include <span>
 #include <utility>
 
 #include "cli/report/agreement_report.hpp"
 #include "cli/report/curve_file.hpp"
+#include "engine/base/text.hpp"
 #include "viewer/page.hpp"
 #include "viewer/scenes/scenes.hpp"
 
@@ -55,6 +58,33 @@ void write_page(const std::string& path, const TangleReport& report) {
   if (!system.empty()) scene.title = "Tangle of " + system;
   add_origin(scene, "tangle", report.outcome, report.origin ? std::vector<std::string>{} : notes_on(report.inputs),
              system);
+  viewer::write_page(path, scene);
+}
+
+void write_page(const std::string& path, const TransportReport& report) {
+  viewer::Scene scene = viewer::transport_scene(report.result());
+  const std::string system = system_text(report.system);
+  scene.title = "Transport of " + system;
+  add_origin(scene, "transport", report.outcome, {}, system);
+  viewer::write_page(path, scene);
+}
+
+void write_page(const std::string& path, const EscapeReport& report) {
+  viewer::Scene scene = viewer::escape_scene(report.result());
+  System chosen;
+  chosen.info = report.system;
+  scene.title = "Escape from " + system_text(chosen);
+  add_origin(scene, "escape", report.outcome, {}, system_text(chosen));
+  viewer::write_page(path, scene);
+}
+
+void write_page(const std::string& path, const System& system, const operations::Outcome& grown) {
+  const auto& manifold = grown.as<operations::SystemManifold>();
+  const std::string name = system_text(system);
+  const viewer::Line line{"manifold of " + name, manifold};
+  viewer::Scene scene = viewer::curves_scene(std::span(&line, 1));
+  scene.notes.push_back("saddle: " + detail::format_point(manifold.local.saddle));
+  add_origin(scene, "grow", grown, {}, name);
   viewer::write_page(path, scene);
 }
 

@@ -18,7 +18,7 @@ const operations::Operation* repeated_operation(const std::string& command, cons
   if (command == "overlay") return &operations::named(result.contains("rule") ? "regions" : "overlay");
   if (command == "tangle") return &operations::named(result.contains("system") ? "manifold_tangle" : "tangle");
   for (const char* const name : {"transport", "escape", "grow"}) {
-    if (command == name) return &operations::named(name);
+    if (command == name && result.contains("system")) return &operations::named(name);
   }
   return nullptr;
 }

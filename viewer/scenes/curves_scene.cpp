@@ -1,11 +1,9 @@
 #include <array>
 
-#include "cli/report/palette.hpp"
+#include "viewer/scenes/colours.hpp"
 #include "viewer/scenes/scenes.hpp"
 
 namespace lober::viewer {
-
-namespace palette = cli::palette;
 
 Scene curves_scene(std::span<const Line> curves) {
   constexpr std::array colours{palette::unstable, palette::stable, palette::entering,        palette::leaving,

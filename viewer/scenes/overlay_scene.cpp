@@ -1,21 +1,19 @@
 #include <array>
 #include <limits>
 
-#include "cli/report/palette.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/text.hpp"
+#include "viewer/scenes/colours.hpp"
 #include "viewer/scenes/scenes.hpp"
 
 namespace lober::viewer {
 namespace {
 
-namespace palette = cli::palette;
 using operations::CurveOverlay;
 using operations::CurveRegions;
 
-// As in the pictures of overlays.
-constexpr const char* colour1 = "#1f5fa8";
-constexpr const char* colour2 = "#c8501e";
+constexpr const char* colour1 = palette::stable;
+constexpr const char* colour2 = palette::unstable;
 
 struct PairingLayer {
   Pairing pairing;

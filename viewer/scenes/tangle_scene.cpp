@@ -3,15 +3,14 @@
 #include <cmath>
 #include <set>
 
-#include "cli/report/palette.hpp"
 #include "engine/base/text.hpp"
 #include "lober/base/error.hpp"
+#include "viewer/scenes/colours.hpp"
 #include "viewer/scenes/scenes.hpp"
 
 namespace lober::viewer {
 namespace {
 
-namespace palette = cli::palette;
 using operations::CurveTangle;
 
 constexpr std::size_t max_common_parts = 400;  // pairs of lobes whose common parts are found, the largest ones
