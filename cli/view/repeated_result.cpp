@@ -53,7 +53,7 @@ void add_repeated_options(std::vector<std::string>& arguments, const operations:
       const bool on = value.get<bool>();
       if (spec->fallback == operations::OptionValue(on)) continue;
       arguments.push_back((on ? "--" : "--no-") + option_name(key).substr(2));
-    } else if (spec->optional || argument_text(value) != operations::to_string(spec->fallback)) {
+    } else if (key == "rule" || spec->optional || argument_text(value) != operations::to_string(spec->fallback)) {
       const std::string bip_near = "bip_near";
       arguments.push_back(from_curves && key == bip_near ? "--bip=" + argument_text(value)
                                                          : repeated_argument(key, value));

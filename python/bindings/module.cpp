@@ -25,5 +25,6 @@ PYBIND11_MODULE(_lober, module) {
   bind_fixed_points(module);
   bind_manifolds(module);
   bind_operations(module);
+  bind_pages(module);
   seal_classes(module);
 }

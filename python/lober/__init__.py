@@ -54,6 +54,7 @@ from ._transport import (
     Transport,
     TransportBoundary,
 )
+from ._view import Page, page, view
 from .errors import Cancelled, DataError, DisagreementError, Error, IncompleteWarning, NotSimpleError, UsageError
 
 __all__ = [
@@ -83,6 +84,7 @@ __all__ = [
     "Measured",
     "NotSimpleError",
     "Overlay",
+    "Page",
     "Parameter",
     "Piece",
     "Pieces",
@@ -110,6 +112,7 @@ __all__ = [
     "image",
     "interior_function",
     "map",
+    "page",
     "plot",
     "read",
     "read_zones",
@@ -117,6 +120,7 @@ __all__ = [
     "system",
     "systems",
     "test",
+    "view",
     "winding",
     "write",
 ]

@@ -16,6 +16,7 @@ from ._call import Run
 from ._measured import Measured
 from ._systems import Connection, Pair, System
 from ._tangle import Tangle
+from ._view import remember
 
 
 @dataclass(frozen=True)
@@ -127,7 +128,7 @@ class Transport:
         found = run.value
         steps = found["steps"]
         counted = steps["T_ij_by_particles"]
-        return cls(
+        made = cls(
             steps["n"],
             [
                 Region(Measured(*area), bool(bounded))
@@ -142,6 +143,8 @@ class Transport:
             found["remarks"],
             run.agreement,
         )
+        remember(made, run)
+        return made
 
     def _repr_html_(self) -> str:
         rows = [
@@ -210,7 +213,7 @@ class Escape:
         found = run.value
         names = [one["name"] for one in found["bottlenecks"]]
         stop = found["stop"]
-        return cls(
+        made = cls(
             found["energy"],
             _escape_table(found["table"], names),
             found["crossings"],
@@ -219,6 +222,8 @@ class Escape:
             [list(state) for state in found["also_open"]["at"]],
             run.agreement,
         )
+        remember(made, run)
+        return made
 
 
 def _escape_table(columns: dict[str, Any], names: list[str]) -> NDArray[Any]:

@@ -188,7 +188,7 @@ class Page {
     try {
       history.replaceState(null, "", link);
     } catch {
-      location.replace(link);
+      // A page within another one has no address of its own.
     }
   }
   fromLink() {

@@ -62,6 +62,7 @@ template <typename Numbers>
 void add_area_notes(Scene& scene, const Areas& areas, const Numbers& bars) {
   scene.notes.push_back(area_note("C1", areas.c1, bars.c1));
   scene.notes.push_back(area_note("C2", areas.c2, bars.c2));
+  scene.notes.emplace_back("Error bars of lobes are bounds on rounding, for the polygons as they are.");
   for (const PairingLayer& what : pairing_layers) {
     scene.notes.push_back(area_note(what.name, areas.*what.area, bars.*what.area));
   }
@@ -137,7 +138,7 @@ Scene regions_scene(const CurveRegions& found, CurveView c1, CurveView c2) {
                                           [&](std::size_t k) { return pieces.outline(k); }));
     }
   }
-  scene.layers.push_back(curve_layer("C1", colour1, 2.2, c1));
+  if (!c1.points.empty()) scene.layers.push_back(curve_layer("C1", colour1, 2.2, c1));
   if (!c2.points.empty()) scene.layers.push_back(curve_layer("C2", colour2, 1.2, c2));
   return scene;
 }

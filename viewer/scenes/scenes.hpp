@@ -2,12 +2,13 @@
 // pages are written.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "lober/curve/files.hpp"
-#include "lober/operations/values.hpp"
+#include "lober/operations.hpp"
 #include "viewer/scene.hpp"
 
 namespace lober::viewer {
@@ -29,5 +30,8 @@ namespace lober::viewer {
 
 /// Entrance and exit curves on the section and their images, by iterate, and their common parts.
 [[nodiscard]] Scene escape_scene(const operations::SystemEscape& found);
+
+/// The scene of a result by its operation; nothing for operations without one. Regions come without their curves.
+[[nodiscard]] std::optional<Scene> scene_of(const operations::Operation& operation, const operations::Outcome& outcome);
 
 }  // namespace lober::viewer

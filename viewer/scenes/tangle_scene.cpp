@@ -75,12 +75,19 @@ Layer lobes_layer(const Tangle& tangle, const CurveTangle* measured, int orienta
   return layer;
 }
 
+// Where the polygons cross, which are what is drawn; smooth curves through the points may cross beside that, which is
+// seen far enough in.
 Layer pips_layer(const Tangle& tangle) {
   Layer layer{.kind = Layer::Kind::dots, .name = "pips", .one = "pip", .colour = "#222222", .width = 3.5};
-  Column rho{"rho", {}, {}}, segment_u{"segment of U", {}, {}}, segment_s{"segment of S", {}, {}};
+  Column rho{"rho", {}, {}}, segment_u{"segment of U", {}, {}}, segment_s{"segment of S", {}, {}},
+      smooth_x{"x of smooth curves", {}, {}}, smooth_y{"y of smooth curves", {}, {}};
+  bool smooth = false;
   for (std::size_t k = 0; k < tangle.pips.size(); ++k) {
     const Pip& pip = tangle.pips[k];
-    layer.dots.push_back(pip.at);
+    layer.dots.push_back(tangle.nodes[pip.node].begin);
+    smooth_x.values.push_back(pip.at.x);
+    smooth_y.values.push_back(pip.at.y);
+    smooth = smooth || pip.at != layer.dots.back();
     layer.names.push_back("pip " + std::to_string(k) +
                           (tangle.boundary && tangle.boundary->bip == k ? ", the bip" : ""));
     rho.values.push_back(pip.rho);
@@ -88,6 +95,10 @@ Layer pips_layer(const Tangle& tangle) {
     segment_s.values.push_back(pip.s.segment);
   }
   layer.columns = {std::move(rho), std::move(segment_u), std::move(segment_s)};
+  if (smooth) {
+    layer.columns.push_back(std::move(smooth_x));
+    layer.columns.push_back(std::move(smooth_y));
+  }
   return layer;
 }
 
