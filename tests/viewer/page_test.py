@@ -2,7 +2,6 @@
 """Pages of lober in a real browser: page_test.py LOBER. Ends with 77, and says why, where there is no browser."""
 
 import base64
-import json
 import math
 import os
 import random
@@ -11,6 +10,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree as ElementTree
 from fractions import Fraction
 
 from browser import Browser, find_browser
@@ -167,8 +167,7 @@ def lobes_are_read(browser, folder):
     assert browser.run("lober.scene.layers[0].shown") is False
     size = view[2] - view[0]
     assert all(abs(a - b) < 1e-9 * size for a, b in zip(view, browser.run("lober.view.box()")))
-    svg = browser.run("svgOf(lober.scene, lober.view, lober.state)") if browser.run("typeof svgOf") != "undefined" else None
-    assert svg is None  # modules keep their names to themselves
+    assert browser.run("typeof svgOf") == "undefined"  # modules keep their names to themselves
 
 
 def keys_and_wheel(browser, folder):
@@ -192,11 +191,59 @@ def keys_and_wheel(browser, folder):
     assert names == [], names
 
 
+def exports_measure_and_iterates(browser, folder):
+    page, svg = os.path.join(folder, "tr.html"), os.path.join(folder, "view.svg")
+    lober("transport", *OVP[1:], "--iterates", "3", "--html", page)
+    browser.open(page)
+    rows = [line.split(",") for line in browser.run("lober.csv()").splitlines()]
+    head = rows[0]
+    areas = {row[1]: row for row in rows if len(row) == len(head) and row[1].endswith("L12(1)")}
+    assert len(areas) == 1, areas
+    row = next(iter(areas.values()))
+    assert abs(float(row[head.index("area")]) - 0.2541062771) < 1e-7
+    assert 0 < float(row[head.index("area_error")]) < 1e-6
+    with open(svg, "w", encoding="utf-8") as file:
+        file.write(browser.run("lober.svg()"))
+    ElementTree.parse(svg)
+    lines = [row for row in rows if row[0].startswith("U,") or row[0].startswith('"U')]
+    assert lines, "points of curves"
+    play = browser.run("[...lober.scene.iterates]")
+    assert len(play) > 1
+    browser.run("(() => { const s = document.getElementById('iterate'); s.value = 1; s.dispatchEvent(new Event('input')); })()")
+    browser.settle()
+    assert browser.run("document.getElementById('iterate-text').textContent") == f"n = {play[0]}"
+    assert browser.run("lober.csv()") != "\n".join(map(",".join, rows)) + "\n"
+    browser.run("document.getElementById('measure').click(); lober.click(100, 100); lober.click(200, 100); lober.click(200, 200)")
+    text = browser.run("lober.measure.text")
+    side = 100 / browser.run("lober.view.scale")
+    length, area = re.match(r"3 points, length (\S+), signed area (\S+)", text).groups()
+    assert abs(float(length) - 2 * side) < 1e-6 * side and abs(float(area.replace("−", "-")) + side * side / 2) < 1e-6, text
+
+
+def batches(browser, folder):
+    manifest, page = os.path.join(folder, "b.toml"), os.path.join(folder, "b.html")
+    with open(manifest, "w") as file:
+        file.write('operation = "manifold_tangle"\noptions = { system = "ovp", overlaps = true, before = 2, after = 2 }\n'
+                   "grid = { parameters.eps = [0.1, 0.15], parameters.gamma = [0.4, 0.5] }\n")
+    lober("batch", "run", manifest, "--quiet")
+    lober("batch", "page", os.path.join(folder, "b.results"), "-o", page)
+    browser.open(page)
+    assert browser.run("document.getElementById('counts').textContent") == "4 done, 0 failed, 0 to do"
+    assert browser.run("document.querySelectorAll('#body tr').length") == 4
+    browser.run("(() => { const f = document.getElementById('filter'); f.value = 'eps>0.12'; f.dispatchEvent(new Event('input')); })()")
+    assert browser.run("document.querySelectorAll('#body tr').length") == 2
+    browser.run("(() => { const k = document.getElementById('kind'); k.value = 'jobs'; k.dispatchEvent(new Event('change')); })()")
+    colours = browser.run("(() => { const c = document.getElementById('map'), d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;"
+                          "const all = new Set(); for (let k = 0; k < d.length; k += 4) all.add(`${d[k]} ${d[k + 1]} ${d[k + 2]}`); return all.size; })()")
+    assert colours >= 4, colours
+
+
 def millions_of_points(browser, folder):
     sources = []
     for number in (1, 2):
         sources.append(os.path.join(folder, f"m{number}.npy"))
-        write_npy(sources[-1], [(math.cos(6e-6 * number * k) * (1 + 0.3 * math.sin(4e-5 * k)), math.sin(6e-6 * number * k))
+        write_npy(sources[-1], [(math.cos(6e-6 * number * k) * (1 + 0.3 * math.sin(4e-5 * k)),
+                                math.sin(6e-6 * number * k) + (k * 2654435761 % 1024 - 512) * 1e-16)
                                 for k in range(1_000_000)])
     page = os.path.join(folder, "m.html")
     lober("view", *sources, "-o", page)
@@ -244,7 +291,8 @@ def main():
     if path is None:
         print("skipped: no chromium is installed (apt-get install chromium)")
         return 77
-    checks = [points_are_exact, zooms_into_a_pip, lobes_are_read, keys_and_wheel, millions_of_points,
+    checks = [points_are_exact, zooms_into_a_pip, lobes_are_read, keys_and_wheel, exports_measure_and_iterates,
+              batches, millions_of_points,
               nothing_and_hostile_names]
     with tempfile.TemporaryDirectory() as folder, Browser(path) as browser:
         for check in checks:

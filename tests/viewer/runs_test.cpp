@@ -8,7 +8,7 @@
 namespace lober::viewer {
 namespace {
 
-std::vector<Point> polygon_of(const std::vector<std::vector<Point>>& curves, const std::vector<Run>& runs,
+std::vector<Point> polygon_of(const std::vector<std::vector<Point>>& curves, const std::vector<viewer::Run>& runs,
                               const std::vector<Point>& pool) {
   std::vector<Point> polygon;
   for (const Run& run : runs) {
@@ -33,7 +33,7 @@ TEST(Runs, AnArcThereAndBackIsTwoRunsAndItsCorners) {
   for (std::size_t k = 3; k < 60; ++k) polygon.push_back(curves[0][k]);
   polygon.push_back({5.97, 7});
   for (std::size_t k = 60; k-- > 3;) polygon.push_back(curves[1][k]);
-  const std::vector<Run> runs = finder.runs(polygon, pool);
+  const std::vector<viewer::Run> runs = finder.runs(polygon, pool);
   EXPECT_EQ(runs.size(), 4U);
   EXPECT_EQ(pool.size(), 2U);
   EXPECT_EQ(polygon_of(curves, runs, pool), polygon);

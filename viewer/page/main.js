@@ -66,12 +66,19 @@ class Page {
       this.say(this.measure.on ? this.measure.text : "");
       this.redraw();
     });
-    on("save-svg", () => download("view.svg", "image/svg+xml", svgOf(this.scene, this.view, this.state)));
-    on("save-csv", () => download("view.csv", "text/csv", csvOf(this.scene, this.view, this.state)));
+    on("save-svg", () => download("view.svg", "image/svg+xml", this.svg()));
+    on("save-csv", () => download("view.csv", "text/csv", this.csv()));
     on("panel-button", () => {
       const hidden = byId("panel").classList.toggle("folded");
       byId("panel-button").setAttribute("aria-expanded", String(!hidden));
     });
+  }
+
+  svg() {
+    return svgOf(this.scene, this.view, this.state);
+  }
+  csv() {
+    return csvOf(this.scene, this.view, this.state);
   }
 
   restyle() {
