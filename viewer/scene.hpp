@@ -27,7 +27,7 @@ struct Line {
 
 using Polygons = std::vector<std::vector<Point>>;  ///< rings of one area, filled by the nonzero rule
 
-/// One kind of thing, which is drawn in one way and switched on and off by one name.
+/// One kind of thing, with one form and one switch.
 struct Layer {
   enum class Kind : std::uint8_t {
     lines,     ///< curves
@@ -59,7 +59,7 @@ struct Layer {
 struct Scene {
   std::string title;               ///< "Tangle of two manifolds"
   std::vector<std::string> notes;  ///< sentences about the result: where it comes from, agreement, total areas
-  std::vector<Layer> layers;       ///< drawn in this order
+  std::vector<Layer> layers;       ///< the first is at the bottom
   std::vector<std::shared_ptr<const void>> owners = {};  ///< keep points alive
 };
 

@@ -12,6 +12,7 @@
 #include "cli/program/command_line.hpp"
 #include "cli/program/interrupt.hpp"
 #include "cli/program/option_parser.hpp"
+#include "cli/program/output_names.hpp"
 #include "engine/batch/export/export.hpp"
 #include "lober/base/cancellation.hpp"
 #include "lober/base/error.hpp"
@@ -82,7 +83,8 @@ void run_batch_page(const std::vector<std::string>& arguments) {
       .positive()
       .value("SECONDS");
   if (!parser.parse(arguments)) return;
-  check_outputs(std::vector<Output>{{"--html", request.output}}, std::vector{request.store});
+  require_fitting_name("--html", request.output);
+  check_outputs(std::vector<Output>{{"-o", request.output}}, std::vector{request.store});
   ExportCounts counts = write_batch_page(request);
   while (request.every > 0 && counts.missing > 0) {
     wait(request.every);

@@ -55,8 +55,8 @@ constexpr std::array<OutputKind, 7> output_kinds{{{json_options, "JSON", json_en
                                                   {published_options, "text in the format of Lober 1.8", {}}}};
 
 constexpr std::array<std::string_view, 26> of_other_formats{
-    ".bin", ".csv", ".db",  ".geojson", ".gz",  ".h5",  ".hdf5", ".htm", ".html", ".json", ".jsonl", ".mat",  ".nc",   ".npy",
-    ".npz", ".pdf", ".plt", ".png",     ".raw", ".shp", ".so",   ".svg",  ".szplt", ".toml", ".xlsx", ".zip"};
+    ".bin", ".csv", ".db",  ".geojson", ".gz",  ".h5",  ".hdf5", ".htm", ".html", ".json",  ".jsonl", ".mat",  ".nc",
+    ".npy", ".npz", ".pdf", ".plt",     ".png", ".raw", ".shp",  ".so",  ".svg",  ".szplt", ".toml",  ".xlsx", ".zip"};
 
 /// The last ending in lower case, with its dot: a letter and then letters and digits. Empty where the name has none, as
 /// in out.0.6 and out.K=2.

@@ -74,10 +74,11 @@ void add_repeated_curves(std::vector<std::string>& arguments, const Json& inputs
   if (!reversed.empty()) arguments.push_back("--reverse=" + (reversed == "us" ? "both" : reversed));
 }
 
-void add_repeated_system(std::vector<std::string>& arguments, const Json& system) {
+// A parameter that is an option of the command too, as the energy of an escape, is given once.
+void add_repeated_system(std::vector<std::string>& arguments, const Json& system, const Json& options) {
   arguments.push_back(system.at("name").get<std::string>());
   for (const auto& [name, value] : system.at("parameters").items()) {
-    arguments.push_back("--param=" + name + "=" + argument_text(value));
+    if (!options.contains(name)) arguments.push_back("--param=" + name + "=" + argument_text(value));
   }
   if (system.contains("integration_tolerance")) {
     arguments.push_back("--integration-tolerance=" + argument_text(system.at("integration_tolerance")));
@@ -95,7 +96,7 @@ RepeatedResult repeated(const Json& result, const std::string& path) {
   if (from_curves) {
     add_repeated_curves(run.arguments, result.at("inputs"), path);
   } else {
-    add_repeated_system(run.arguments, result.at("system"));
+    add_repeated_system(run.arguments, result.at("system"), result.at("options"));
   }
   add_repeated_options(run.arguments, *operation, result.at("options"), path, from_curves);
   return run;

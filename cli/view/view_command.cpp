@@ -8,6 +8,7 @@
 #include "cli/program/command_line.hpp"
 #include "cli/program/commands.hpp"
 #include "cli/program/option_parser.hpp"
+#include "cli/program/output_names.hpp"
 #include "cli/report/report.hpp"
 #include "cli/view/repeated_result.hpp"
 #include "engine/files/curve_spec.hpp"
@@ -72,7 +73,6 @@ std::vector<Curve> curves_of(const std::string& spec) {
 }
 
 void run(const ViewRequest& request) {
-  check_outputs(std::vector<Output>{{"--html", request.output}}, request.inputs);
   std::vector<Curve> curves;
   for (const std::string& input : request.inputs) {
     for (Curve& curve : curves_of(input)) curves.push_back(std::move(curve));
@@ -100,10 +100,10 @@ void run(const ViewRequest& request) {
 void run_view(const std::vector<std::string>& arguments) {
   const std::optional<ViewRequest> request = parse_view(arguments);
   if (!request) return;
+  require_fitting_name("--html", request->output);
+  check_outputs(std::vector<Output>{{"-o", request->output}}, request->inputs);
   if (request->inputs.size() == 1) {
     if (auto result = repeated_result(request->inputs.front())) {
-      const std::vector<Output> outputs{{"--html", request->output}};
-      check_outputs(outputs, request->inputs);
       result->arguments.push_back("--html=" + request->output);
       if (request->threads > 0) result->arguments.push_back("--threads=" + std::to_string(request->threads));
       return run_command(result->command, result->arguments);

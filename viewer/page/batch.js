@@ -138,6 +138,7 @@ byId("x").replaceChildren(...options(varied));
 byId("y").replaceChildren(...options(varied));
 byId("value").replaceChildren(...options(results));
 if (varied.length > 1) byId("y").value = varied[1];
+if (results.includes("intersection")) byId("value").value = "intersection";
 if (overlaps) byId("kind").value = "lobes";
 byId("heat-part").hidden = kinds.length === 0;
 for (const id of ["kind", "x", "y", "value"]) byId(id).addEventListener("change", heat);

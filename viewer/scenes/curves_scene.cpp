@@ -10,7 +10,7 @@ Scene curves_scene(std::span<const Line> curves) {
                                palette::flux,     palette::common, palette::left_of_unstable};
   Scene scene;
   scene.title = curves.size() == 1 ? curves.front().name : std::to_string(curves.size()) + " curves";
-  // Each curve can be switched off by itself, unless there are so many that the list would be of no use.
+  // Each curve can be switched off by itself, unless the list would be too long to be of use.
   constexpr std::size_t max_layers = 24;
   for (std::size_t k = 0; k < curves.size(); ++k) {
     if (k < max_layers) {
