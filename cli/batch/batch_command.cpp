@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "cli/batch/batch_options.hpp"
+#include "cli/batch/batch_page.hpp"
 #include "cli/batch/batch_report.hpp"
 #include "cli/batch/operations_list.hpp"
 #include "cli/program/command_line.hpp"
@@ -234,6 +235,7 @@ constexpr Subcommand subcommands[]{
     {"check", check_manifest, "MANIFEST", "reads the manifest and reports how much work it is"},
     {"status", show_status, "STORE", "reports the jobs that are done, the runs and the failures"},
     {"export", export_store, "STORE [-o FILE]", "writes the results as CSV, JSON lines, NPY, NetCDF or HDF5"},
+    {"page", run_batch_page, "STORE -o FILE", "writes a page with a table of the jobs and heat maps"},
     {"merge", merge_stores, "TARGET STORE...", "joins the stores of shards"},
     {"manifest", show_manifest_keys, "", "lists the keys of a manifest"},
     {"operations", show_operations, "[NAME]", "lists the operations, or the options and results of one"},

@@ -13,6 +13,7 @@
 #include "cli/program/table_options.hpp"
 #include "cli/report/agreement_report.hpp"
 #include "cli/report/outcome_json.hpp"
+#include "cli/view/page_output.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/base/cancellation.hpp"
 #include "lober/base/error.hpp"
@@ -27,7 +28,7 @@ struct EscapeRequest {
   std::vector<std::string> parameters, saddles;
   std::vector<operations::OptionSetting> settings;
   bool lists_counts = false;  ///< whether counts of trajectories were asked for
-  std::string json, svg, curves, tubes, format;
+  std::string json, svg, html, curves, tubes, format;
   int threads = 0;
 };
 
@@ -51,6 +52,7 @@ std::optional<EscapeRequest> parse_escape(const std::vector<std::string>& argume
   add_json_option(parser, request.json);
   parser.add("--svg", request.svg, "Draw the curves on the section as an SVG picture in FILE (default: no file).")
       .value("FILE");
+  add_html_option(parser, request.html);
   parser
       .add("--curves", request.curves,
            "Write the periodic orbits, as points of position, and the curves of all tubes on the section, their images "
@@ -134,6 +136,7 @@ void run(const EscapeRequest& request) {
   const detail::Stopwatch watch;
   const std::vector<Output> outputs = checked_outputs({{"--json", request.json},
                                                        {"--svg", request.svg},
+                                                       {"--html", request.html},
                                                        {"--curves", request.curves, request.format},
                                                        {"--tubes", request.tubes}},
                                                       files_of_system(request.system));
@@ -170,6 +173,7 @@ void run(const EscapeRequest& request) {
   }
   if (printing) print(escape_summary(report));
   if (!request.svg.empty()) draw(request.svg, report);
+  if (!request.html.empty()) write_page(request.html, report);
   if (result.stop == EscapeStop::cancelled) throw Cancelled();
   require_agreement(result.agreement);
 }

@@ -13,6 +13,7 @@
 #include "cli/program/table_options.hpp"
 #include "cli/report/curve_file.hpp"
 #include "cli/report/outcome_json.hpp"
+#include "cli/view/page_output.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/base/cancellation.hpp"
 #include "lober/base/threads.hpp"
@@ -25,7 +26,7 @@ using operations::SystemManifold;
 struct GrowRequest {
   SystemRequest system;
   std::vector<operations::OptionSetting> settings;
-  std::string output, json, format;
+  std::string output, json, html, format;
   int threads = 0;
 };
 
@@ -47,6 +48,7 @@ std::optional<GrowRequest> parse_grow(const std::vector<std::string>& arguments)
   add_integration_option(parser, request.system.integration);
   add_points_option(parser, request.output, request.format, false);
   add_json_option(parser, request.json, "a report of the growth");
+  add_html_option(parser, request.html);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return std::nullopt;
   if (unstable == stable) {
@@ -65,7 +67,8 @@ std::optional<GrowRequest> parse_grow(const std::vector<std::string>& arguments)
 void run(const GrowRequest& request) {
   const detail::Stopwatch watch;
   const std::vector<Output> outputs =
-      checked_outputs({{"-o", request.output}, {"--json", request.json}}, files_of_system(request.system.name));
+      checked_outputs({{"-o", request.output}, {"--json", request.json}, {"--html", request.html}},
+                      files_of_system(request.system.name));
   const operations::Operation& operation = operations::named("grow");
   const operations::Options options = checked_options(operation, request.settings);
   const operations::SystemInput input = system_input_of(request.system);
@@ -90,6 +93,7 @@ void run(const GrowRequest& request) {
       write_curve_file(request.output, manifold.points,
                        {.format = request.format, .notes = notes_of("grow", outcome, {}, system_text(*input.system))});
     }
+    if (!request.html.empty()) write_page(request.html, *input.system, outcome);
     const double write_seconds = write_watch.seconds();
     if (!request.json.empty()) {
       write_outcome_json(request.json, "grow", {{"system", system_json(*input.system, input.integration)}}, operation,

@@ -12,6 +12,7 @@
 #include "cli/program/table_options.hpp"
 #include "cli/report/agreement_report.hpp"
 #include "cli/report/regions_report.hpp"
+#include "cli/view/page_output.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/base/threads.hpp"
 
@@ -21,7 +22,7 @@ namespace {
 struct OverlayRequest {
   std::array<std::string, 2> curves;
   Periods periods;
-  std::string lobes, crossings, json, svg, rule, format;
+  std::string lobes, crossings, json, svg, html, rule, format;
   std::vector<operations::OptionSetting> settings;
   std::vector<double> window;  // window of the picture
   int threads = 0;
@@ -55,6 +56,7 @@ std::optional<OverlayRequest> parse_overlay(const std::vector<std::string>& argu
       parser.add("--svg", request.svg, "Draw the curves and the lobes as an SVG picture in FILE (default: no file).")
           .value("FILE");
   add_window_option(parser, request.window, svg);
+  add_html_option(parser, request.html);
   add_format_option(parser, request.format);
   TableOptions options(parser, operations::named("overlay"));
   options["areas_only"].excludes(lobes).excludes(svg).excludes(rings);
@@ -78,7 +80,8 @@ std::vector<Output> outputs_of(const OverlayRequest& request) {
   for (const auto& [option, path] : {std::pair{"--json", request.json},
                                      {"--lobes", request.lobes},
                                      {"--crossings", request.crossings},
-                                     {"--svg", request.svg}}) {
+                                     {"--svg", request.svg},
+                                     {"--html", request.html}}) {
     if (!path.empty()) outputs.push_back({option, path, request.format});
   }
   return outputs;
@@ -126,6 +129,7 @@ void run(const OverlayRequest& request) {
                                  .notes = notes_of("overlay", report.outcome, notes_on(report.inputs))};
     if (by_rule) {
       if (!request.lobes.empty()) write_lobes(request.lobes, report.outcome.as<CurveRegions>(), lobes);
+      if (!request.html.empty()) write_page(request.html, report);
       report.write_seconds = write_watch.seconds();
       if (!request.json.empty()) write_regions_json(request.json, "overlay", report, total);
     } else {
@@ -133,6 +137,7 @@ void run(const OverlayRequest& request) {
       if (!request.lobes.empty()) write_lobes(request.lobes, found, lobes);
       if (!request.crossings.empty()) write_crossings(request.crossings, found);
       if (!request.svg.empty()) write_picture(request.svg, found, window_of(request.window));
+      if (!request.html.empty()) write_page(request.html, report);
       report.write_seconds = write_watch.seconds();
       if (!request.json.empty()) write_json(request.json, request.rings, report, total);
     }

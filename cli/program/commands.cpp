@@ -23,6 +23,7 @@
 #include "cli/systems/systems_command.hpp"
 #include "cli/tangle/tangle_command.hpp"
 #include "cli/transport/transport_command.hpp"
+#include "cli/view/view_command.hpp"
 #include "cli/winding/winding_command.hpp"
 #include "lober/base/error.hpp"
 
@@ -43,6 +44,8 @@ constexpr OwnCommand own_commands[]{
      "computes their areas by the interior function (Q1, Q2, Q3), an independent method", CommandGroup::curves},
     {"winding", run_winding, "CURVE --at POINTS",
      "computes winding numbers and J of a closed curve about points, or on a --grid", CommandGroup::curves},
+    {"view", run_view, "RESULT|CURVE... -o FILE",
+     "writes a page that shows curves, or a result with its lobes, as deep as doubles go", CommandGroup::curves},
     {"densify", run_densify, "CURVE [AGAINST] -o FILE",
      "inserts points where the curve is coarse or meets another one, or removes them", CommandGroup::curves},
     {"tangle", run_tangle, "U S [options]",

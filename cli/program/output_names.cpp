@@ -24,6 +24,7 @@ constexpr std::array<std::pair<std::string_view, PointFormat>, 6> point_endings{
 
 constexpr std::array<std::string_view, 2> json_options{"--json", "--graph"};
 constexpr std::array<std::string_view, 2> picture_options{"--svg", "--picture"};
+constexpr std::array<std::string_view, 1> page_options{"--html"};
 constexpr std::array<std::string_view, 4> zone_options{"--lobes", "--boundary", "--pips", "--curves"};
 constexpr std::array<std::string_view, 2> several_options{"--lobes", "--curves"};  // among these
 constexpr std::array<std::string_view, 1> crossings_options{"--crossings"};
@@ -35,6 +36,7 @@ constexpr std::string_view curves_kind = "curves";
 
 constexpr std::array<std::string_view, 1> json_endings{".json"};
 constexpr std::array<std::string_view, 1> picture_endings{".svg"};
+constexpr std::array<std::string_view, 2> page_endings{".html", ".htm"};
 constexpr std::array<std::string_view, 1> table_endings{".csv"};
 constexpr std::array<std::string_view, 2> crossings_endings{".csv", ".npy"};
 
@@ -44,16 +46,17 @@ struct OutputKind {
   std::string_view what;
   Names endings;
 };
-constexpr std::array<OutputKind, 6> output_kinds{{{json_options, "JSON", json_endings},
+constexpr std::array<OutputKind, 7> output_kinds{{{json_options, "JSON", json_endings},
                                                   {picture_options, "an SVG picture", picture_endings},
+                                                  {page_options, "a page", page_endings},
                                                   {zone_options, curves_kind, {}},
                                                   {crossings_options, "a table of crossings", crossings_endings},
                                                   {table_options, "comma-separated columns", table_endings},
                                                   {published_options, "text in the format of Lober 1.8", {}}}};
 
-constexpr std::array<std::string_view, 24> of_other_formats{
-    ".bin", ".csv", ".db",  ".geojson", ".gz",  ".h5",  ".hdf5", ".json", ".jsonl", ".mat",  ".nc",   ".npy",
-    ".npz", ".pdf", ".plt", ".png",     ".raw", ".shp", ".so",   ".svg",  ".szplt", ".toml", ".xlsx", ".zip"};
+constexpr std::array<std::string_view, 26> of_other_formats{
+    ".bin", ".csv", ".db",  ".geojson", ".gz",  ".h5",  ".hdf5", ".htm", ".html", ".json",  ".jsonl", ".mat",  ".nc",
+    ".npy", ".npz", ".pdf", ".plt",     ".png", ".raw", ".shp",  ".so",  ".svg",  ".szplt", ".toml",  ".xlsx", ".zip"};
 
 /// The last ending in lower case, with its dot: a letter and then letters and digits. Empty where the name has none, as
 /// in out.0.6 and out.K=2.

@@ -1,5 +1,6 @@
 #include "cli/tangle/tangle_outputs.hpp"
 
+#include "cli/view/page_output.hpp"
 #include "engine/base/stopwatch.hpp"
 
 namespace lober::cli {
@@ -27,6 +28,7 @@ void TangleOutputs::add_options(OptionParser& parser) {
                 "Name the fixed points, regions, pips and lobes in the picture, as far as there is room.")
       .needs(picture);
   add_window_option(parser, window, picture);
+  add_html_option(parser, html);
   add_format_option(parser, format);
 }
 
@@ -38,7 +40,8 @@ std::vector<Output> TangleOutputs::files() const {
                                      {"--lobes", lobes},
                                      {"--boundary", boundary},
                                      {"--pips", pips},
-                                     {"--svg", svg}}) {
+                                     {"--svg", svg},
+                                     {"--html", html}}) {
     if (!path.empty()) outputs.push_back({option, path, format});
   }
   return outputs;
@@ -53,6 +56,7 @@ void write_tangle(const TangleOutputs& outputs, TangleReport& report, const std:
   if (!outputs.svg.empty()) {
     write_tangle_picture(outputs.svg, report, {outputs.labels, window_of(outputs.window)});
   }
+  if (!outputs.html.empty()) write_page(outputs.html, report);
   report.write_seconds = watch.seconds();
   if (!outputs.json.empty()) write_tangle_json(outputs.json, report, seconds_so_far);
 }

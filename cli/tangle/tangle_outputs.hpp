@@ -11,11 +11,11 @@
 namespace lober::cli {
 
 struct TangleOutputs {
-  std::string lobes, boundary, pips, graph, json, svg, format;
+  std::string lobes, boundary, pips, graph, json, svg, html, format;
   bool labels = false;         ///< in the picture
   std::vector<double> window;  ///< window of the picture
 
-  /// Adds --lobes, --boundary, --pips, --json, --svg, --labels, --window, --format.
+  /// Adds --lobes, --boundary, --pips, --json, --svg, --labels, --window, --html, --format.
   void add_options(OptionParser& parser);
   /// The files that were asked for.
   [[nodiscard]] std::vector<Output> files() const;

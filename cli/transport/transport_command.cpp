@@ -18,6 +18,7 @@
 #include "cli/transport/curves_transport_command.hpp"
 #include "cli/transport/sweep_report.hpp"
 #include "cli/transport/transport_report.hpp"
+#include "cli/view/page_output.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/base/error.hpp"
 #include "lober/base/threads.hpp"
@@ -28,15 +29,16 @@ namespace {
 struct TransportRequest {
   SystemRequest system;
   std::vector<operations::OptionSetting> settings;
-  std::string sweep, json, svg, picture;
+  std::string sweep, json, svg, picture, html;
   std::vector<double> window;  // window of the picture
   bool find_zero = false;
   int threads = 0;
 };
 
 std::vector<Output> outputs_of(const TransportRequest& request) {
-  return checked_outputs({{"--json", request.json}, {"--svg", request.svg}, {"--picture", request.picture}},
-                         files_of_system(request.system.name));
+  return checked_outputs(
+      {{"--json", request.json}, {"--svg", request.svg}, {"--picture", request.picture}, {"--html", request.html}},
+      files_of_system(request.system.name));
 }
 
 // Rows as they come: on a terminal each is shown at once, above the line of progress, and an interrupt keeps them. The
@@ -93,6 +95,7 @@ void run_one(const TransportRequest& request) {
     const detail::Stopwatch write_watch;
     if (!request.svg.empty()) write_transport_curve(request.svg, report);
     if (!request.picture.empty()) write_transport_picture(request.picture, report, window_of(request.window));
+    if (!request.html.empty()) write_page(request.html, report);
     report.timing.write = write_watch.seconds();
     if (!request.json.empty()) {
       write_outcome_json(request.json, "transport", {{"system", system_json(report.system, input.integration)}},
@@ -188,6 +191,7 @@ void run_transport(const std::vector<std::string>& arguments) {
           .value("FILE")
           .excludes(sweep_option);
   add_window_option(parser, request.window, picture);
+  add_html_option(parser, request.html).excludes(sweep_option);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return;
   request.settings = options.settings();

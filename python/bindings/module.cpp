@@ -30,5 +30,6 @@ PYBIND11_MODULE(_lober, module) {
   bind_batch(module);
   bind_shared_run(module);
 #endif
+  bind_pages(module);
   seal_classes(module);
 }

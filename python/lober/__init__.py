@@ -55,6 +55,7 @@ from ._transport import (
     Transport,
     TransportBoundary,
 )
+from ._view import Page, page, view
 from .errors import Cancelled, DataError, DisagreementError, Error, IncompleteWarning, NotSimpleError, UsageError
 
 __all__ = [
@@ -84,6 +85,7 @@ __all__ = [
     "Measured",
     "NotSimpleError",
     "Overlay",
+    "Page",
     "Parameter",
     "Piece",
     "Pieces",
@@ -114,6 +116,7 @@ __all__ = [
     "map",
     "overlap_matrix",
     "overlay_many",
+    "page",
     "plot",
     "read",
     "read_zones",
@@ -121,6 +124,7 @@ __all__ = [
     "system",
     "systems",
     "test",
+    "view",
     "winding",
     "write",
 ]

@@ -17,6 +17,7 @@ from ._measured import Measured
 from ._result import Result
 from ._systems import Connection, Pair, System
 from ._tangle import Tangle
+from ._view import remember
 
 
 @dataclass(frozen=True)
@@ -130,7 +131,7 @@ class Transport(Result):
         found = run.value
         steps = found["steps"]
         counted = steps["T_ij_by_particles"]
-        return cls(
+        made = cls(
             steps["n"],
             [
                 Region(Measured(*area), bool(bounded))
@@ -145,6 +146,8 @@ class Transport(Result):
             found["remarks"],
             run.agreement,
         )
+        remember(made, run)
+        return made
 
     def _repr_html_(self) -> str:
         rows = [
@@ -222,7 +225,7 @@ class Escape(Result):
         found = run.value
         names = [one["name"] for one in found["bottlenecks"]]
         stop = found["stop"]
-        return cls(
+        made = cls(
             found["energy"],
             _escape_table(found["table"], names),
             found["crossings"],
@@ -231,6 +234,8 @@ class Escape(Result):
             [list(state) for state in found["also_open"]["at"]],
             run.agreement,
         )
+        remember(made, run)
+        return made
 
 
 def _escape_table(columns: dict[str, Any], names: list[str]) -> NDArray[Any]:

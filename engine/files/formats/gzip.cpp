@@ -27,6 +27,8 @@ struct Zlib {
   LOBER_LOADED(zlib_library, inflate);
   LOBER_LOADED(zlib_library, inflateReset);
   LOBER_LOADED(zlib_library, inflateEnd);
+  LOBER_LOADED(zlib_library, compressBound);
+  LOBER_LOADED(zlib_library, compress2);
 };
 
 const Zlib& zlib() {
@@ -114,7 +116,23 @@ Buffer<std::byte> unzipped(const std::string& name, std::span<const std::byte> b
   }
   return content;
 }
+
+std::optional<std::string> deflated(std::string_view bytes) {
+  if (!zlib_library.is_present()) return std::nullopt;
+  uLongf size = zlib().compressBound(static_cast<uLong>(bytes.size()));
+  std::string packed(size, '\0');
+  const auto* const begin = reinterpret_cast<const Bytef*>(bytes.data());
+  const int status = zlib().compress2(reinterpret_cast<Bytef*>(packed.data()), &size, begin,
+                                      static_cast<uLong>(bytes.size()), Z_DEFAULT_COMPRESSION);
+  if (status != Z_OK) throw std::bad_alloc();  // the only way in which it fails
+  packed.resize(size);
+  return packed;
+}
 #else
+std::optional<std::string> deflated(std::string_view) {
+  return std::nullopt;
+}
+
 Buffer<std::byte> unzipped(const std::string& name, std::span<const std::byte>) {
   throw DataError(name + ": is compressed by gzip: " + zlib_library.reason_it_is_missing());
 }

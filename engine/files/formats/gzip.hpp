@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "lober/base/buffer.hpp"
 
@@ -15,5 +17,8 @@ namespace lober::detail {
 /// a few bytes can promise any size. Throws DataError "name: ..." for a file that is damaged or cut off, and where zlib
 /// is not there.
 [[nodiscard]] Buffer<std::byte> unzipped(const std::string& name, std::span<const std::byte> bytes);
+
+/// The bytes compressed, in the form of zlib (RFC 1950); nothing where zlib is not there.
+[[nodiscard]] std::optional<std::string> deflated(std::string_view bytes);
 
 }  // namespace lober::detail

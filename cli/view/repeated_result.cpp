@@ -1,0 +1,126 @@
+#include "cli/view/repeated_result.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "cli/program/table_options.hpp"
+#include "cli/report/json.hpp"
+#include "engine/base/text.hpp"
+#include "lober/base/error.hpp"
+#include "lober/curve/files.hpp"
+
+namespace lober::cli {
+namespace {
+
+// The operation that a command runs with these options.
+const operations::Operation* repeated_operation(const std::string& command, const Json& result) {
+  if (command == "overlay") return &operations::named(result.contains("rule") ? "regions" : "overlay");
+  if (command == "tangle") return &operations::named(result.contains("system") ? "manifold_tangle" : "tangle");
+  for (const char* const name : {"transport", "escape", "grow"}) {
+    if (command == name && result.contains("system")) return &operations::named(name);
+  }
+  return nullptr;
+}
+
+std::string argument_text(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_float()) return detail::format_number(value.get<double>());
+  if (!value.is_array()) return value.dump();
+  std::string text;
+  for (const Json& one : value) text += (text.empty() ? "" : ",") + argument_text(one);
+  return text;
+}
+
+// Options whose names on the command line are not those of the table.
+std::string repeated_argument(const std::string& key, const Json& value) {
+  if (key == "side") return "--" + value.get<std::string>();
+  if (key == "bip_near") return "--bip-near=" + argument_text(value);
+  if (key == "max_memory") return "--memory=" + argument_text(value);
+  return option_name(key) + "=" + argument_text(value);
+}
+
+void add_repeated_options(std::vector<std::string>& arguments, const operations::Operation& operation,
+                          const Json& options, const std::string& path, bool from_curves) {
+  for (const auto& [key, value] : options.items()) {
+    const auto spec = std::find_if(operation.options.begin(), operation.options.end(),
+                                   [&, name = key](const auto& one) { return one.is_for(name); });
+    if (spec == operation.options.end()) {
+      throw DataError(path + ": the option " + key + " is not one of this version; run the command again");
+    }
+    if (value.is_null()) continue;
+    if (value.is_boolean()) {
+      const bool on = value.get<bool>();
+      if (spec->fallback == operations::OptionValue(on)) continue;
+      arguments.push_back((on ? "--" : "--no-") + option_name(key).substr(2));
+    } else if (key == "rule" || spec->optional || argument_text(value) != operations::to_string(spec->fallback)) {
+      const std::string bip_near = "bip_near";
+      arguments.push_back(from_curves && key == bip_near ? "--bip=" + argument_text(value)
+                                                         : repeated_argument(key, value));
+    }
+  }
+}
+
+void add_repeated_curves(std::vector<std::string>& arguments, const Json& inputs, const std::string& path) {
+  std::string reversed;
+  for (const Json& input : inputs) {
+    const std::string file = input.at("file").get<std::string>();
+    if (sha256_of_file(file) != input.at("sha256").get<std::string>()) {
+      throw DataError(file + ": is not as it was when " + path + " was computed; run the command again");
+    }
+    arguments.push_back(file + "#" + input.at("zone").dump());
+    if (input.value("reversed", false)) reversed += arguments.size() == 1 ? "u" : "s";
+  }
+  if (!reversed.empty()) arguments.push_back("--reverse=" + (reversed == "us" ? "both" : reversed));
+}
+
+// A parameter that is an option of the command too, as the energy of an escape, is given once.
+void add_repeated_system(std::vector<std::string>& arguments, const Json& system, const Json& options) {
+  arguments.push_back(system.at("name").get<std::string>());
+  for (const auto& [name, value] : system.at("parameters").items()) {
+    if (!options.contains(name)) arguments.push_back("--param=" + name + "=" + argument_text(value));
+  }
+  if (system.contains("integration_tolerance")) {
+    arguments.push_back("--integration-tolerance=" + argument_text(system.at("integration_tolerance")));
+  }
+}
+
+RepeatedResult repeated(const Json& result, const std::string& path) {
+  RepeatedResult run{result.at("command").get<std::string>(), {}};
+  const operations::Operation* const operation = repeated_operation(run.command, result);
+  if (operation == nullptr) {
+    throw DataError(path + ": is a result of lober " + run.command +
+                    ", which has no page; there are pages of overlay, tangle, transport, escape and grow");
+  }
+  const bool from_curves = !result.contains("system");
+  if (from_curves) {
+    add_repeated_curves(run.arguments, result.at("inputs"), path);
+  } else {
+    add_repeated_system(run.arguments, result.at("system"), result.at("options"));
+  }
+  add_repeated_options(run.arguments, *operation, result.at("options"), path, from_curves);
+  return run;
+}
+
+}  // namespace
+
+std::optional<RepeatedResult> repeated_result(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  constexpr std::size_t head = 64;
+  std::string text(head, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(head));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  // As JsonFile begins; any other file of curves may be large.
+  if (!text.starts_with("{\"program\"") && text.find("\"program\"") == std::string::npos) return std::nullopt;
+  file.clear();
+  text.append(std::istreambuf_iterator<char>(file), {});
+  const Json result = Json::parse(text, nullptr, false);
+  if (!result.is_object() || !result.contains("program") || !result.contains("command")) return std::nullopt;
+  try {
+    return repeated(result, path);
+  } catch (const Json::exception& error) {
+    throw DataError(path + ": cannot be read as a result of lober: " + error.what());
+  }
+}
+
+}  // namespace lober::cli

@@ -1,0 +1,55 @@
+#include "viewer/page.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lober/base/error.hpp"
+#include "viewer/base64.hpp"
+
+namespace lober::viewer {
+namespace {
+
+TEST(Base64, IsThatOfTheStandard) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
+}
+
+TEST(Page, TextsCannotBecomeMarkup) {
+  const std::vector<Point> points{{0, 0}, {1, 1}};
+  const std::string bad = "</script><script>alert(1)</script>\"{{script}}";
+  Scene scene;
+  scene.title = bad;
+  scene.notes = {bad};
+  Layer layer;
+  layer.name = bad;
+  layer.colour = "#000000";
+  layer.lines = {{bad, {points, false}}};
+  scene.layers = {layer};
+  const std::string page = page_of(scene);
+  EXPECT_EQ(page.find("alert(1)</script>"), std::string::npos);
+  EXPECT_EQ(page.find("<script>alert"), std::string::npos);
+  EXPECT_NE(page.find("default-src 'none'; script-src 'sha256-"), std::string::npos);
+  EXPECT_EQ(page.find("unsafe"), std::string::npos);
+  EXPECT_EQ(batch_page_of(bad, "{\"jobs\":[\"" + bad.substr(0, 9) + "\"]}").find("[\"</script>"), std::string::npos);
+}
+
+TEST(Page, AnEmptySceneIsAPage) {
+  EXPECT_NE(page_of(Scene{}).find("</html>"), std::string::npos);
+}
+
+TEST(Page, CoordinatesHaveToBeFinite) {
+  const std::vector<Point> points{{0, 0}, {NAN, 1}};
+  Scene scene;
+  Layer layer;
+  layer.lines = {{"line", {points, false}}};
+  scene.layers = {layer};
+  EXPECT_THROW((void)page_of(scene), DataError);
+}
+
+}  // namespace
+}  // namespace lober::viewer

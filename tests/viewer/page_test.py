@@ -1,0 +1,306 @@
+#!/usr/bin/env python3
+"""Pages of lober in a real browser: page_test.py LOBER. Ends with 77, and says why, where there is no browser."""
+
+import base64
+import math
+import os
+import random
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ElementTree
+from fractions import Fraction
+
+from browser import Browser, find_browser
+
+PROGRAM = sys.argv[1]
+OVP = ["tangle", "ovp", "--param", "gamma=0.5", "--param", "eps=0.1"]
+
+
+def lober(*arguments):
+    return subprocess.run([PROGRAM, *arguments], check=True, capture_output=True, text=True).stdout
+
+
+def write_npy(path, points):
+    head = "{'descr': '<f8', 'fortran_order': False, 'shape': (%d, 2), }" % len(points)
+    head += " " * (-(len(head) + 11) % 64) + "\n"
+    with open(path, "wb") as file:
+        file.write(b"\x93NUMPY\x01\x00" + struct.pack("<H", len(head)) + head.encode())
+        file.write(struct.pack(f"<{2 * len(points)}d", *(value for point in points for value in point)))
+
+
+def curve_of(browser, layer, curve=0):
+    """The points of a curve as the page has them, bit for bit."""
+    text = browser.run(
+        f"(() => {{ const one = lober.scene.layers[{layer}].curves[{curve}]; const all = new Float64Array(2 * one.n);"
+        "for (let k = 0; k < one.n; ++k) { all[2 * k] = one.curve.x[k]; all[2 * k + 1] = one.curve.y[k]; }"
+        "let text = ''; for (const byte of new Uint8Array(all.buffer)) text += String.fromCharCode(byte); return btoa(text); })()")
+    values = struct.unpack(f"<{len(base64.b64decode(text)) // 8}d", base64.b64decode(text))
+    return list(zip(values[::2], values[1::2]))
+
+
+def clean(browser):
+    assert browser.complaints == [], browser.complaints
+    assert all(url.startswith(("file:", "about:", "blob:", "data:")) for url in browser.requests), browser.requests
+
+
+def points_are_exact(browser, folder):
+    chance = random.Random(1)
+    kinds = [
+        [(chance.uniform(-1, 1), chance.gauss(0, 1e-7)) for _ in range(2000)],
+        [(math.cos(k / 300), 1e-3 * k) for k in range(70000)],
+        [(1e300 * chance.uniform(-1, 1), 1e-300 * chance.uniform(-1, 1)) for _ in range(600)],
+        [(-0.0, 5e-324 * k) for k in range(600)] + [(1.0, -0.0)],
+        [(1e15 + k, -1e15 + 0.25 * k) for k in range(513)],
+    ]
+    for number, points in enumerate(kinds):
+        source, page = os.path.join(folder, "c.npy"), os.path.join(folder, "c.html")
+        write_npy(source, points)
+        lober("view", source, "-o", page)
+        browser.open(page)
+        found = curve_of(browser, 0)
+        assert len(found) == len(points)
+        wrong = [k for k, (a, b) in enumerate(zip(found, points)) if struct.pack("<2d", *a) != struct.pack("<2d", *b)]
+        assert not wrong, (number, wrong[:3], found[wrong[0]], points[wrong[0]])
+
+
+def expected_pixels(points, view):
+    """Points of the curve's segments in pixels, about one each pixel, by exact arithmetic."""
+    x, dx, y, dy, scale = (Fraction(view[key]) for key in ("x", "dx", "y", "dy", "scale"))
+    width, height = view["width"], view["height"]
+
+    def pixel(point):
+        return (float((Fraction(point[0]) - x - dx) * scale + Fraction(width, 2)),
+                float(Fraction(height, 2) - (Fraction(point[1]) - y - dy) * scale))
+
+    reach = max(width, height) / view["scale"]
+    centre = (view["x"], view["y"])
+    pixels = []
+    for a, b in zip(points, points[1:]):
+        low = [min(a[k], b[k]) - centre[k] for k in (0, 1)]
+        high = [max(a[k], b[k]) - centre[k] for k in (0, 1)]
+        if any(high[k] < -reach or low[k] > reach for k in (0, 1)):
+            continue
+        (ax, ay), (bx, by) = pixel(a), pixel(b)
+        # The part in the frame, as in Liang & Barsky (1984), in exact arithmetic of the pixels' doubles.
+        first, last = Fraction(0), Fraction(1)
+        for start, step, limit in ((ax, bx - ax, width), (ay, by - ay, height)):
+            for speed, gap in ((-step, start), (step, limit - start)):
+                if speed == 0:
+                    last = last if gap >= 0 else Fraction(-1)
+                elif speed < 0:
+                    first = max(first, Fraction(gap) / Fraction(speed))
+                else:
+                    last = min(last, Fraction(gap) / Fraction(speed))
+        if first > last:
+            continue
+        length = float((last - first)) * math.hypot(bx - ax, by - ay)
+        count = max(1, math.ceil(length))
+        for k in range(count + 1):
+            t = first + (last - first) * Fraction(k, count)
+            pixels.append((ax + float(t * Fraction(bx - ax)), ay + float(t * Fraction(by - ay))))
+    return pixels
+
+
+# The pixels of the canvas that are not ground, as a string of 0 and 1.
+DRAWN = """(() => { const c = lober.canvas, d = lober.context.getImageData(0, 0, c.width, c.height).data; let t = '';
+for (let k = 0; k < d.length; k += 4) t += d[k] + d[k + 1] + d[k + 2] < 600 ? '1' : '0'; return t; })()"""
+ONLY_LINES = ("for (const layer of lober.scene.layers) layer.shown = layer.kind === 'lines';"
+              "lober.paintAxes = false; lober.redraw()")
+VIEW = "({x: lober.view.x, dx: lober.view.dx, y: lober.view.y, dy: lober.view.dy, scale: lober.view.scale, width: lober.view.width, height: lober.view.height})"
+
+
+def zooms_into_a_pip(browser, folder):
+    page = os.path.join(folder, "ovp.html")
+    lober(*OVP, "--html", page)
+    browser.open(page)
+    x, y = browser.run("(({ dots }) => [dots.x[0], dots.y[0]])(lober.scene.layers.find((one) => one.name === 'pips'))")
+    for depth in (1, 1e4, 1e8, 1e12):
+        browser.open(page, f"#{x!r},{y!r},{depth!r},")
+        browser.run(ONLY_LINES)
+        browser.settle()
+        browser.settle()
+        view, drawn = browser.run(VIEW), browser.run(DRAWN)
+        width, height = int(view["width"]), int(view["height"])
+        lines = [k for k, kind in enumerate(browser.run("lober.scene.layers.map((one) => one.kind)")) if kind == "lines"]
+        expected = set()
+        for layer in lines:
+            pixels = expected_pixels(curve_of(browser, layer), view)
+            assert depth > 1 or len(pixels) > 300
+            assert len(pixels) > 100, (depth, layer, "the curve goes through the view")
+            # Within two pixels of where it belongs there is ink; axes and labels lie along the edges.
+            missing = [(x, y) for x, y in pixels if 60 < x < width - 60 and 40 < y < height - 60 and not any(
+                drawn[(int(y) + j) * width + int(x) + i] == "1" for i in (-1, 0, 1, 2) for j in (-1, 0, 1, 2))]
+            assert not missing, (depth, layer, missing[:5], len(missing))
+            expected.update((int(x) + i, int(y) + j) for x, y in pixels for i in range(-3, 5) for j in range(-3, 5))
+        stray = [(k % width, k // width) for k, one in enumerate(drawn) if one == "1"]
+        stray = [(x, y) for x, y in stray if (x, y) not in expected and 200 < x < width - 200 and 40 < y < height - 80]
+        assert not stray, (depth, stray[:5], len(stray))
+    assert browser.run("lober.view.zoom(1e9), lober.view.atEnd")
+    browser.run("lober.redraw()")
+    browser.settle()
+    assert not browser.run("document.getElementById('end').hidden")
+
+
+def lobes_are_read(browser, folder):
+    page = os.path.join(folder, "ovp.html")
+    browser.open(page)
+    x, y = browser.run("(() => { const box = lober.canvas.getBoundingClientRect();"
+                       "return [box.left + lober.view.px(1.0), box.top + lober.view.py(0.6)]; })()")
+    browser.move(x, y)
+    assert "L12(1)" in browser.run("document.getElementById('status').textContent")
+    browser.click(x, y)
+    status = browser.run("document.getElementById('status').textContent")
+    assert re.match(r"lobe 0 L12\(1\): area 0\.254106\d* ± \S+, n 1", status), status
+    assert "L12(1)" in browser.run("document.querySelector('tr.chosen').textContent")
+    browser.click(x, y)  # the second one of a double click, or a click again
+    browser.run("lober.double(%g, %g)" % tuple(browser.run("[lober.view.px(1.0), lober.view.py(0.6)]")))
+    browser.settle()
+    assert browser.run("lober.view.depth") > 1.5
+    browser.run("new Promise((done) => setTimeout(done, 400))")
+    link, view = browser.run("location.hash"), browser.run("lober.view.box()")
+    shown = browser.run("document.querySelectorAll('#layers input')[0].click(), lober.writeLink(), location.hash")
+    assert link != shown
+    browser.open(page, shown)
+    assert browser.run("lober.scene.layers[0].shown") is False
+    size = view[2] - view[0]
+    assert all(abs(a - b) < 1e-9 * size for a, b in zip(view, browser.run("lober.view.box()")))
+    assert browser.run("typeof svgOf") == "undefined"  # modules keep their names to themselves
+
+
+def keys_and_wheel(browser, folder):
+    browser.open(os.path.join(folder, "ovp.html"))
+    browser.run("lober.canvas.focus()")
+    before = browser.run("lober.view.depth")
+    browser.key("+")
+    assert abs(browser.run("lober.view.depth") / before - 1.5) < 1e-9
+    browser.key("0")
+    assert browser.run("lober.view.depth") == 1
+    x, y = 300, 400
+    kept = browser.run(f"lober.view.at({x}, {y} - lober.canvas.getBoundingClientRect().top)")
+    browser.wheel(x, y, -200)
+    browser.run("new Promise((done) => setTimeout(done, 200))")
+    now = browser.run(f"lober.view.at({x}, {y} - lober.canvas.getBoundingClientRect().top)")
+    assert browser.run("lober.view.depth") > 1.2
+    assert all(abs(a - b) < 1e-12 for a, b in zip(kept, now)), (kept, now)
+    names = browser.run("[...document.querySelectorAll('button, input, select, canvas, [role=region]')].filter((one) =>"
+                        "!(one.getAttribute('aria-label') || one.textContent.trim() || one.closest('label') ||"
+                        "document.querySelector(`label[for='${one.id}']`))).map((one) => one.outerHTML)")
+    assert names == [], names
+
+
+def exports_measure_and_iterates(browser, folder):
+    page, svg = os.path.join(folder, "tr.html"), os.path.join(folder, "view.svg")
+    lober("transport", *OVP[1:], "--iterates", "3", "--html", page)
+    browser.open(page)
+    rows = [line.split(",") for line in browser.run("lober.csv()").splitlines()]
+    head = rows[0]
+    areas = {row[1]: row for row in rows if len(row) == len(head) and row[1].endswith("L12(1)")}
+    assert len(areas) == 1, areas
+    row = next(iter(areas.values()))
+    assert abs(float(row[head.index("area")]) - 0.2541062771) < 1e-7
+    assert 0 < float(row[head.index("area_error")]) < 1e-6
+    with open(svg, "w", encoding="utf-8") as file:
+        file.write(browser.run("lober.svg()"))
+    ElementTree.parse(svg)
+    lines = [row for row in rows if row[0].startswith("U,") or row[0].startswith('"U')]
+    assert lines, "points of curves"
+    play = browser.run("[...lober.scene.iterates]")
+    assert len(play) > 1
+    browser.run("(() => { const s = document.getElementById('iterate'); s.value = 1; s.dispatchEvent(new Event('input')); })()")
+    browser.settle()
+    assert browser.run("document.getElementById('iterate-text').textContent") == f"n = {play[0]}"
+    assert browser.run("lober.csv()") != "\n".join(map(",".join, rows)) + "\n"
+    browser.run("document.getElementById('measure').click(); lober.click(100, 100); lober.click(200, 100); lober.click(200, 200)")
+    text = browser.run("lober.measure.text")
+    side = 100 / browser.run("lober.view.scale")
+    length, area = re.match(r"3 points, length (\S+), signed area (\S+)", text).groups()
+    assert abs(float(length) - 2 * side) < 1e-6 * side and abs(float(area.replace("−", "-")) + side * side / 2) < 1e-6, text
+
+
+def batches(browser, folder):
+    manifest, page = os.path.join(folder, "b.toml"), os.path.join(folder, "b.html")
+    with open(manifest, "w") as file:
+        file.write('operation = "manifold_tangle"\noptions = { system = "ovp", overlaps = true, before = 2, after = 2 }\n'
+                   "grid = { parameters.eps = [0.1, 0.15], parameters.gamma = [0.4, 0.5] }\n")
+    lober("batch", "run", manifest, "--quiet")
+    lober("batch", "page", os.path.join(folder, "b.results"), "-o", page)
+    browser.open(page)
+    assert browser.run("document.getElementById('counts').textContent") == "4 done, 0 failed, 0 to do"
+    assert browser.run("document.querySelectorAll('#body tr').length") == 4
+    browser.run("(() => { const f = document.getElementById('filter'); f.value = 'eps>0.12'; f.dispatchEvent(new Event('input')); })()")
+    assert browser.run("document.querySelectorAll('#body tr').length") == 2
+    browser.run("(() => { const k = document.getElementById('kind'); k.value = 'jobs'; k.dispatchEvent(new Event('change')); })()")
+    colours = browser.run("(() => { const c = document.getElementById('map'), d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;"
+                          "const all = new Set(); for (let k = 0; k < d.length; k += 4) all.add(`${d[k]} ${d[k + 1]} ${d[k + 2]}`); return all.size; })()")
+    assert colours >= 4, colours
+
+
+def millions_of_points(browser, folder):
+    sources = []
+    for number in (1, 2):
+        sources.append(os.path.join(folder, f"m{number}.npy"))
+        write_npy(sources[-1], [(math.cos(6e-6 * number * k) * (1 + 0.3 * math.sin(4e-5 * k)),
+                                math.sin(6e-6 * number * k) + (k * 2654435761 % 1024 - 512) * 1e-16)
+                                for k in range(1_000_000)])
+    page = os.path.join(folder, "m.html")
+    lober("view", *sources, "-o", page)
+    size = os.path.getsize(page)
+    assert size <= 12_000_000, size
+    seconds = browser.open(page)
+    frames = browser.run("""(async () => { const times = []; let last = performance.now();
+        for (let k = 0; k < 40; ++k) { lober.moved(() => lober.view.zoom(k % 2 ? 1.2 : 0.9, 400, 300));
+        await new Promise((done) => requestAnimationFrame(() => setTimeout(done, 0)));
+        const now = performance.now(); times.push(now - last); last = now; }
+        return times.sort((a, b) => a - b)[20]; })()""")
+    print(f"2x10^6 points: {size / 1e6:.1f} MB, ready after {seconds:.2f} s, {1000 / frames:.0f} frames a second")
+    assert seconds < 10 and frames < 200, "an order of magnitude off, on whatever machine"
+
+
+def nothing_and_hostile_names(browser, folder):
+    source, page = os.path.join(folder, "h.dat"), os.path.join(folder, "h.html")
+    bad = ["</script><script>window.hit=1</script>", "<img src=x onerror=window.hit=1>", "' onload='window.hit=1",
+           "a<!--", "{{data}}", "x" * 10000, "\u202e\u0007 & &amp;"]
+    with open(source, "w", encoding="utf-8") as file:
+        for title in bad:
+            file.write(f'ZONE T="{title}"\n0 0\n1 1\n2 0\n')
+    lober("view", source, "-o", page)
+    browser.open(page)
+    names = browser.run("lober.scene.layers.map((layer) => layer.name)")
+    assert names == bad, [a for a, b in zip(names, bad) if a != b]
+    assert browser.run("[...document.querySelectorAll('#layers .name')].map((one) => one.textContent)") == bad
+    assert browser.run("window.hit === undefined && document.querySelectorAll('img').length === 0")
+    try:
+        browser.run("eval('1')")
+        raise AssertionError("eval is allowed")
+    except RuntimeError as error:
+        assert "Content Security Policy" in str(error) or "EvalError" in str(error), error
+    browser.complaints.clear()  # of that
+    one = os.path.join(folder, "one.dat")
+    with open(one, "w") as file:
+        file.write("3 4\n")
+    lober("view", one, "-o", page)
+    browser.open(page)
+    assert browser.run("lober.view.box().every(Number.isFinite)")
+
+
+def main():
+    path = find_browser()
+    if path is None:
+        print("skipped: no chromium is installed (apt-get install chromium)")
+        return 77
+    checks = [points_are_exact, zooms_into_a_pip, lobes_are_read, keys_and_wheel, exports_measure_and_iterates,
+              batches, millions_of_points,
+              nothing_and_hostile_names]
+    with tempfile.TemporaryDirectory() as folder, Browser(path) as browser:
+        for check in checks:
+            check(browser, folder)
+            clean(browser)
+            print(check.__name__, "passed", flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,33 @@
+# Writes the sources of pages into a C++ file. Modules are joined into one script in the order given: names are unique among
+# them, so imports fall away. Run as cmake -DFOLDER=... -DOUTPUT=... -P embed.cmake
+set(page_modules series text tree view pen axes shapes hit scene draw export measure table panel gestures main)
+set(batch_modules text heat batch)
+
+function(embed name text)
+  set(code "${code}const std::string_view ${name} = R\"viewer(${text})viewer\";\n" PARENT_SCOPE)
+endfunction()
+
+function(script_of result)
+  set(script "\"use strict\";\n")
+  foreach(module ${ARGN})
+    file(READ ${FOLDER}/${module}.js text)
+    string(REGEX REPLACE "(^|\n)import [^\n]*" "" text "${text}")
+    string(REGEX REPLACE "(^|\n)export " "\\1" text "${text}")
+    string(APPEND script "${text}")
+  endforeach()
+  set(${result} "${script}" PARENT_SCOPE)
+endfunction()
+
+set(code "#include \"viewer/embedded.hpp\"\n\nnamespace lober::viewer {\n\n")
+foreach(file page.html page.css batch.html)
+  file(READ ${FOLDER}/${file} text)
+  string(REPLACE "." "_" name ${file})
+  string(REPLACE "page_css" "page_style" name ${name})
+  embed(${name} "${text}")
+endforeach()
+script_of(text ${page_modules})
+embed(page_script "${text}")
+script_of(text ${batch_modules})
+embed(batch_script "${text}")
+string(APPEND code "\n}  // namespace lober::viewer\n")
+file(WRITE ${OUTPUT} "${code}")

@@ -1,0 +1,148 @@
+// The page of a batch: its jobs in a table, and heat maps of their numbers.
+import { gridOf, paintGrid, steps } from "./heat.js";
+import { byId, element, rounded } from "./text.js";
+
+const ROWS = 300; // that are shown at once; the filter finds others
+
+const batch = JSON.parse(byId("batch").textContent);
+const short = (path) => (typeof path === "string" && path.includes("/") ? path.slice(path.lastIndexOf("/") + 1) : path);
+const inputs = ["first", "second"];
+
+// Names of the values of a job, options among them as "options.parameters.K".
+function flat(value, name, into) {
+  if (Array.isArray(value)) return into;
+  if (value === null || typeof value !== "object") {
+    into[name] = value;
+    return into;
+  }
+  for (const [key, one] of Object.entries(value)) flat(one, name ? `${name}.${key}` : key, into);
+  return into;
+}
+const jobs = batch.jobs.map((job) => flat(job, "", Object.create(null)));
+const names = [...new Set(jobs.flatMap(Object.keys))];
+const numeric = (name) => jobs.some((job) => typeof job[name] === "number");
+const varied = names.filter((name) => (name.startsWith("options.") || inputs.includes(name)) && steps(jobs.map((job) => job[name]).filter((value) => value !== undefined)).length > 1);
+const results = names.filter((name) => numeric(name) && !name.startsWith("options.") && name !== "job");
+
+// ---------------------------------------------------------------------------------- progress
+
+const all = batch.done + batch.failed + batch.missing;
+byId("progress").max = String(Math.max(all, 1));
+byId("progress").value = batch.done + batch.failed;
+byId("counts").textContent = `${batch.done} done, ${batch.failed} failed, ${batch.missing} to do` + (batch.missing > 0 ? "; write the page again and reload it to see more" : "");
+
+// ---------------------------------------------------------------------------------- the table
+
+const columns = ["job", "status", ...inputs.filter((name) => names.includes(name)), ...varied.filter((name) => !inputs.includes(name)), ...results, ...(names.includes("message") ? ["message"] : [])];
+const sort = { column: "job", down: false };
+let chosen = null;
+
+const label = (name) => name.replace(/^options\.(parameters\.)?/, "");
+const textOf = (name, value) => (typeof value === "number" ? rounded(value, 10) : value === undefined || value === null ? "" : String(inputs.includes(name) ? short(value) : value));
+
+function heads() {
+  byId("heads").replaceChildren(...columns.map((name) => {
+    const sorted = sort.column === name;
+    const button = element("button", { type: "button" }, label(name) + (sorted ? (sort.down ? " \u25be" : " \u25b4") : ""));
+    button.addEventListener("click", () => {
+      sort.down = sorted ? !sort.down : false;
+      sort.column = name;
+      heads();
+      rows();
+    });
+    return element("th", { scope: "col", "aria-sort": sorted ? (sort.down ? "descending" : "ascending") : "none" }, button);
+  }));
+}
+
+// Terms such as "c1>3" compare a column; others are part of any text of the row.
+function accepted() {
+  const tests = byId("filter").value.trim().split(/\s+/).filter(Boolean).map((term) => {
+    const [, name, sign, number] = /^(.+?)(<=|>=|<|>|=)([-+.\deE]+)$/.exec(term) ?? [];
+    const column = columns.find((one) => label(one) === name);
+    if (column && !Number.isNaN(Number(number))) {
+      const n = Number(number);
+      return (job) => ({ "<": job[column] < n, "<=": job[column] <= n, ">": job[column] > n, ">=": job[column] >= n, "=": job[column] === n })[sign];
+    }
+    const lower = term.toLowerCase();
+    return (job) => columns.some((one) => typeof job[one] === "string" && job[one].toLowerCase().includes(lower));
+  });
+  return jobs.filter((job) => tests.every((test) => test(job)));
+}
+
+function rows() {
+  const list = accepted(), { column, down } = sort, sign = down ? -1 : 1;
+  const known = (job) => job[column] !== undefined && job[column] !== null;
+  list.sort((a, b) => known(b) - known(a) || sign * (a[column] < b[column] ? -1 : a[column] > b[column] ? 1 : 0));
+  byId("body").replaceChildren(...list.slice(0, ROWS).map((job) => {
+    const row = element("tr", { className: job === chosen ? "chosen" : "", tabIndex: 0 }, ...columns.map((name) => element("td", { title: textOf(name, job[name]) }, textOf(name, job[name]))));
+    const choose = () => {
+      chosen = job;
+      rows();
+      heat();
+    };
+    row.addEventListener("click", choose);
+    row.addEventListener("keydown", (event) => event.key === "Enter" && choose());
+    return row;
+  }));
+  byId("count").textContent = `${Math.min(list.length, ROWS)} of ${list.length} rows` + (list.length < jobs.length ? ` (of ${jobs.length})` : "");
+}
+
+// ---------------------------------------------------------------------------------- the heat map
+
+const options = (list) => list.map((name) => element("option", { value: name }, label(name)));
+const overlaps = batch.jobs.some((job) => job.overlap_i?.length > 0);
+let cellAt = () => undefined;
+
+function cells() {
+  if (byId("kind").value === "lobes") {
+    const job = batch.jobs[jobs.indexOf(chosen ?? jobs.find((_, k) => batch.jobs[k].overlap_i?.length > 0))];
+    byId("of").textContent = job ? `job ${job.job}: choose another one in the table` : "no overlaps are known";
+    if (!job?.overlap_i) return [];
+    return job.overlap_i.flatMap((i, k) => [[i, job.overlap_j[k]], [job.overlap_j[k], i]].map(([x, y]) => ({ x, y, value: job.overlap_areas[k], text: `lobes ${i} and ${job.overlap_j[k]}` })));
+  }
+  const x = byId("x").value, y = byId("y").value, value = byId("value").value;
+  byId("of").textContent = `${label(value)} over ${label(x)} (to the right) and ${label(y)} (upwards)`;
+  return jobs.filter((job) => job[x] !== undefined && job[y] !== undefined && job[value] !== undefined)
+    .map((job) => ({ x: job[x], y: job[y], value: job[value], job, text: `${label(x)} ${textOf(x, job[x])}, ${label(y)} ${textOf(y, job[y])}` }));
+}
+
+function heat() {
+  const canvas = byId("map"), ratio = devicePixelRatio || 1;
+  byId("axes").hidden = byId("kind").value === "lobes";
+  canvas.width = canvas.clientWidth * ratio;
+  canvas.height = canvas.clientHeight * ratio;
+  const context = canvas.getContext("2d");
+  context.scale(ratio, ratio);
+  const grid = gridOf(cells()), style = getComputedStyle(document.documentElement);
+  cellAt = paintGrid(context, grid, canvas.clientWidth, canvas.clientHeight, style.getPropertyValue("--panel").trim());
+  byId("range").textContent = grid.high >= grid.low ? `${rounded(grid.low)} (dark) to ${rounded(grid.high)} (light)` : "no values";
+}
+
+const hover = (event) => {
+  const box = byId("map").getBoundingClientRect(), cell = cellAt(event.clientX - box.left, event.clientY - box.top);
+  byId("cell").textContent = cell ? `${cell.text}: ${rounded(cell.value, 12)}` : "";
+  return cell;
+};
+
+byId("filter").addEventListener("input", rows);
+byId("map").addEventListener("pointermove", hover);
+byId("map").addEventListener("click", (event) => {
+  const cell = hover(event);
+  if (!cell?.job) return;
+  chosen = cell.job;
+  rows();
+});
+const kinds = [...(varied.length > 0 && results.length > 0 ? [["jobs", "numbers of jobs"]] : []), ...(overlaps ? [["lobes", "overlaps of lobes i and j"]] : [])];
+byId("kind").replaceChildren(...kinds.map(([value, text]) => element("option", { value }, text)));
+byId("x").replaceChildren(...options(varied));
+byId("y").replaceChildren(...options(varied));
+byId("value").replaceChildren(...options(results));
+if (varied.length > 1) byId("y").value = varied[1];
+if (results.includes("intersection")) byId("value").value = "intersection";
+if (overlaps) byId("kind").value = "lobes";
+byId("heat-part").hidden = kinds.length === 0;
+for (const id of ["kind", "x", "y", "value"]) byId(id).addEventListener("change", heat);
+heads();
+rows();
+if (kinds.length > 0) new ResizeObserver(heat).observe(byId("map"));
+document.documentElement.dataset.ready = "yes";

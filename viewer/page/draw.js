@@ -1,0 +1,145 @@
+// What is seen of a scene, as paths with their styles: for the canvas and, the same, for SVG.
+import { LinePen, MARGIN, RingPen } from "./pen.js";
+import { layerShows } from "./scene.js";
+
+const CHUNK = 1024; // segments of a path: longer ones take a canvas more time than they save
+const DOT_CELL = 4; // pixels between dots that are drawn
+
+// Gives { path, layer, fill } or { path, layer, stroke }; `newPath` makes an empty path, `step` is the smallest distance
+// of points in pixels.
+export function* drawings(scene, view, { iterate, selected }, newPath, step) {
+  const frame = view.box(MARGIN);
+  for (const layer of scene.layers) {
+    if (!layer.shown) continue;
+    if (layer.kind === "lines") yield* lines(layer, view, frame, iterate, newPath, step);
+    else if (layer.kind === "dots") yield* dots(layer, view, frame, iterate, newPath);
+    else yield* areas(layer, view, frame, iterate, newPath, step);
+  }
+  if (selected && selected.layer.areas) {
+    const path = newPath();
+    selected.layer.areas.draw(selected.index, view, frame, new RingPen(path, view.width, view.height, step));
+    yield { path, layer: selected.layer, selected: true };
+  }
+}
+
+function* lines(layer, view, frame, iterate, newPath, step) {
+  const small = step / view.scale;
+  for (let index = 0; index < layer.curves.length; ++index) {
+    if (!layerShows(layer, index, iterate)) continue;
+    const { curve } = layer.curves[index], { x, y } = curve;
+    if (curve.points === 0) continue;
+    const finished = [];
+    const pen = new LinePen(newPath(), view.width, view.height, step);
+    const next = () => {
+      finished.push(pen.path);
+      pen.path = newPath();
+      pen.open = false;
+      pen.segments = 0;
+    };
+    curve.walk(0, curve.points - 1, (level, node, boxes) => {
+      const at = 4 * node;
+      if (boxes[at] > frame[2] || boxes[at + 2] < frame[0] || boxes[at + 1] > frame[3] || boxes[at + 3] < frame[1]) {
+        pen.up();
+        return false;
+      }
+      if (boxes[at + 2] - boxes[at] >= small || boxes[at + 3] - boxes[at + 1] >= small) return true;
+      const begin = curve.begin(level, node), end = curve.end(level, node);
+      pen.to(view.px(x[begin]), view.py(y[begin]));
+      pen.to(view.px(x[end]), view.py(y[end]));
+      return false;
+    }, (begin, end) => {
+      for (let k = begin; k <= end; ++k) pen.to(view.px(x[k]), view.py(y[k]));
+      if (pen.segments > CHUNK) next();
+    });
+    finished.push(pen.path);
+    for (const path of finished) yield { path, layer, stroke: true };
+  }
+}
+
+function* areas(layer, view, frame, iterate, newPath, step) {
+  const fill = layer.kind === "areas";
+  const { boxes } = layer.areas;
+  let path = newPath(), drawn = 0;
+  const cells = new Set(); // pixels of areas that are smaller than one
+  for (let k = 0; k < layer.areas.size; ++k) {
+    if (!layer.areas.meets(k, frame) || !layerShows(layer, k, iterate)) continue;
+    const width = (boxes[4 * k + 2] - boxes[4 * k]) * view.scale, height = (boxes[4 * k + 3] - boxes[4 * k + 1]) * view.scale;
+    if (width < 1 && height < 1) {
+      const x = Math.floor(view.px(boxes[4 * k])), y = Math.floor(view.py(boxes[4 * k + 3])), cell = x * 65536 + y;
+      if (cells.has(cell)) continue;
+      cells.add(cell);
+      path.rect(x, y, 1, 1);
+    } else {
+      layer.areas.draw(k, view, frame, new RingPen(path, view.width, view.height, step));
+    }
+    if (++drawn % 256 === 0) {
+      yield { path, layer, fill, stroke: !fill };
+      path = newPath();
+    }
+  }
+  yield { path, layer, fill, stroke: !fill };
+}
+
+function* dots(layer, view, frame, iterate, newPath) {
+  const { dots } = layer, cells = new Set(), path = newPath();
+  const small = DOT_CELL / 2 / view.scale;
+  const add = (k) => {
+    if (!layerShows(layer, k, iterate)) return;
+    const x = view.px(dots.x[k]), y = view.py(dots.y[k]);
+    if (!(x > -MARGIN && y > -MARGIN && x < view.width + MARGIN && y < view.height + MARGIN)) return;
+    const cell = Math.floor(x / DOT_CELL + 64) * 65536 + Math.floor(y / DOT_CELL + 64);
+    if (cells.has(cell)) return;
+    cells.add(cell);
+    path.moveTo(x + layer.width, y);
+    path.arc(x, y, layer.width, 0, 2 * Math.PI);
+  };
+  dots.walk(0, dots.points - 1, (level, node, boxes) => {
+    const at = 4 * node;
+    if (boxes[at] > frame[2] || boxes[at + 2] < frame[0] || boxes[at + 1] > frame[3] || boxes[at + 3] < frame[1]) return false;
+    if (iterate !== null || boxes[at + 2] - boxes[at] >= small || boxes[at + 3] - boxes[at + 1] >= small) return true;
+    add(dots.begin(level, node));
+    return false;
+  }, (begin, end) => {
+    for (let k = begin; k <= end; ++k) add(k);
+  });
+  yield { path, layer, fill: true, dots: true };
+}
+
+export const AREA_OPACITY = 0.35;
+
+// Draws on a canvas. `dark`: dots without a meaning of their own are light there.
+export function paint(context, scene, view, state, step, theme) {
+  context.lineJoin = "round";
+  const thin = step > 0.5; // lines of one pixel take a third of the time
+  for (const one of drawings(scene, view, state, () => new Path2D(), step)) {
+    const colour = colourOf(one.layer, theme);
+    if (one.selected) {
+      context.globalAlpha = 1;
+      context.fillStyle = context.strokeStyle = colour;
+      context.lineWidth = 3;
+      context.stroke(one.path);
+      context.globalAlpha = AREA_OPACITY;
+      context.fill(one.path);
+    } else if (one.stroke) {
+      context.globalAlpha = one.layer.kind === "outlines" ? 0.8 : 1;
+      context.strokeStyle = colour;
+      context.lineWidth = thin && one.layer.kind === "lines" ? 1 : one.layer.width;
+      context.stroke(one.path);
+    } else {
+      context.globalAlpha = one.dots ? 1 : AREA_OPACITY;
+      context.fillStyle = colour;
+      context.fill(one.path);
+    }
+  }
+  context.globalAlpha = 1;
+}
+
+// Black dots and dark colours are seen on a dark ground when they are mixed with white.
+export function colourOf(layer, theme) {
+  if (!theme.dark) return layer.colour;
+  const part = (at) => parseInt(layer.colour.slice(at, at + 2), 16);
+  const [red, green, blue] = [part(1), part(3), part(5)];
+  const light = (0.3 * red + 0.59 * green + 0.11 * blue) / 255, white = Math.max(0, 0.62 - light) / (1 - light);
+  const mixed = [red, green, blue].map((value) => Math.round(value + (255 - value) * white).toString(16).padStart(2, "0"));
+  return `#${mixed.join("")}`;
+}

@@ -1,0 +1,46 @@
+// Heat maps: a value over two keys, or over the numbers of two lobes.
+
+// Colours from few to much, which stay apart in grey and for any colour vision (viridis, by five of its colours).
+const STOPS = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];
+
+export function heatColour(part) {
+  const at = Math.min(Math.max(part, 0), 1) * (STOPS.length - 1), k = Math.min(Math.floor(at), STOPS.length - 2);
+  return `rgb(${STOPS[k].map((from, c) => Math.round(from + (STOPS[k + 1][c] - from) * (at - k))).join(" ")})`;
+}
+
+// Different values in order: numbers by size, texts by the order in which they came.
+export function steps(values) {
+  const all = [...new Set(values)];
+  return all.every((value) => typeof value === "number") ? all.sort((a, b) => a - b) : all;
+}
+
+// Cells { x, y, value } as a grid: the steps of both axes, the range of values, and the cell of a column and row.
+export function gridOf(cells) {
+  const columns = steps(cells.map(({ x }) => x)), rows = steps(cells.map(({ y }) => y));
+  const column = new Map(columns.map((x, k) => [x, k])), row = new Map(rows.map((y, k) => [y, k]));
+  let low = Infinity, high = -Infinity;
+  for (const { value } of cells) {
+    if (!Number.isFinite(value)) continue;
+    low = Math.min(low, value);
+    high = Math.max(high, value);
+  }
+  const at = new Map(cells.map((cell) => [column.get(cell.x) + row.get(cell.y) * columns.length, cell]));
+  return { columns, rows, low, high, at: (c, r) => at.get(c + r * columns.length) };
+}
+
+// Draws the grid, row 0 at the bottom; returns the function that gives the cell at a pixel.
+export function paintGrid(context, grid, width, height, ground) {
+  const { columns, rows, low, high } = grid;
+  context.fillStyle = ground;
+  context.fillRect(0, 0, width, height);
+  const across = width / columns.length, up = height / rows.length, gap = Math.min(across, up) > 8 ? 1 : 0;
+  for (let r = 0; r < rows.length; ++r) {
+    for (let c = 0; c < columns.length; ++c) {
+      const cell = grid.at(c, r);
+      if (!cell || !Number.isFinite(cell.value)) continue;
+      context.fillStyle = heatColour(high > low ? (cell.value - low) / (high - low) : 0.5);
+      context.fillRect(c * across, height - (r + 1) * up, Math.ceil(across) - gap, Math.ceil(up) - gap);
+    }
+  }
+  return (px, py) => grid.at(Math.floor(px / across), Math.floor((height - py) / up));
+}

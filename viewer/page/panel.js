@@ -1,0 +1,92 @@
+// The panel beside the picture: layers, the table, iterates, and what is known about the page.
+import { nameOf, sizeOf } from "./scene.js";
+import { byId, element, rounded, withBar } from "./text.js";
+
+// One line about a thing: its name, numbers with error bars, and the point of a curve.
+export function describe({ layer, index, point }) {
+  if (layer.kind === "lines") {
+    const one = layer.curves[index];
+    return `${one.name}: point ${point} of ${one.n} (${one.curve.x[point]}, ${one.curve.y[point]})`;
+  }
+  const numbers = layer.columns
+    .filter(({ values }) => Number.isFinite(values[index]))
+    .map(({ name, values, bars }) => `${name} ${bars ? withBar(values[index], bars[index]) : rounded(values[index], 10)}`);
+  const at = layer.kind === "dots" ? [`at (${layer.dots.x[index]}, ${layer.dots.y[index]})`] : [];
+  return `${nameOf(layer, index)}: ${[...numbers, ...at].join(", ")}`;
+}
+
+export function fillLayers(scene, changed) {
+  byId("layers").replaceChildren(...scene.layers.map((layer) => {
+    const box = element("input", { type: "checkbox", checked: layer.shown });
+    box.addEventListener("change", () => {
+      layer.shown = box.checked;
+      changed();
+    });
+    layer.box = box;
+    const swatch = element("span", { className: `swatch ${layer.kind}`, "aria-hidden": "true" });
+    layer.swatch = swatch;
+    const size = layer.kind === "lines"
+      ? `${layer.curves.reduce((sum, one) => sum + one.n, 0).toLocaleString("en")} points`
+      : sizeOf(layer).toLocaleString("en");
+    return element("li", {}, element("label", {}, box, swatch, element("span", { className: "name" }, layer.name), element("span", { className: "size" }, size)));
+  }));
+}
+
+export function fillAbout(scene) {
+  const notes = [...scene.notes, `${scene.points.toLocaleString("en")} points, of curves and of corners between them.`];
+  const rounds = scene.layers.some((layer) => (layer.curves ?? []).some((one) => !one.exact));
+  notes.push(rounds
+    ? "Points near crossings are exact; others are rounded to 2^-50 of the size of their curve."
+    : "All points are exact, to the last bit.");
+  byId("notes").replaceChildren(...notes.map((note) => element("li", {}, note)));
+}
+
+// The choice of the layer of the table; layers of lines have no table.
+export function fillTableChoice(scene, table) {
+  const layers = scene.layers.filter((layer) => layer.kind !== "lines" && layer.n > 0);
+  const choice = byId("table-layer");
+  choice.replaceChildren(...layers.map((layer, k) => element("option", { value: String(k) }, layer.name)));
+  choice.addEventListener("change", () => table.show(layers[Number(choice.value)]));
+  byId("table-part").hidden = layers.length === 0;
+  const first = Math.max(0, layers.findIndex((layer) => layer.kind === "areas"));
+  if (layers.length === 0) return () => {};
+  choice.value = String(first);
+  table.show(layers[first]);
+  return (layer) => {
+    const k = layers.indexOf(layer);
+    if (k < 0 || table.layer === layer) return;
+    choice.value = String(k);
+    table.show(layer);
+  };
+}
+
+// Iterates one after the other; `show(n)` with null for all of them.
+export function fillIterates(scene, show) {
+  const { iterates } = scene, slider = byId("iterate"), play = byId("play"), text = byId("iterate-text");
+  byId("iterates-part").hidden = iterates.length < 2;
+  slider.max = String(iterates.length);
+  let timer = null;
+  const set = (at) => {
+    slider.value = String(at);
+    const n = at === 0 ? null : iterates[at - 1];
+    text.textContent = n === null ? "all" : `n = ${n}`;
+    slider.setAttribute("aria-valuetext", text.textContent);
+    show(n);
+  };
+  const stop = () => {
+    clearInterval(timer);
+    timer = null;
+    play.textContent = "Play";
+  };
+  slider.addEventListener("input", () => {
+    stop();
+    set(Number(slider.value));
+  });
+  play.addEventListener("click", () => {
+    if (timer !== null) return stop();
+    play.textContent = "Stop";
+    let at = Number(slider.value) % iterates.length;
+    set(++at);
+    timer = setInterval(() => set(at = at % iterates.length + 1), 900);
+  });
+}

@@ -1,0 +1,100 @@
+// The scene of the page: its layers, decoded.
+import { Curve, grow } from "./tree.js";
+import { Areas, Dots } from "./shapes.js";
+import { PART, bytesOf, decodeSeries } from "./series.js";
+import { byId } from "./text.js";
+
+export async function loadScene() {
+  const scene = JSON.parse(byId("scene").textContent);
+  const read = (number) => bytesOf(byId(`s${number}`).textContent, scene.deflated);
+
+  async function numbers({ n, at }) {
+    const values = new Float64Array(n);
+    for (let part = 0; part * PART < n; ++part) {
+      decodeSeries(await read(at + part), Math.min(PART, n - part * PART), values, part * PART);
+    }
+    return values;
+  }
+  async function points({ n, at }, closed) {
+    const size = n + (closed && n > 0 ? 1 : 0);
+    const xy = [new Float64Array(size), new Float64Array(size)];
+    const parts = Math.ceil(n / PART);
+    await Promise.all(Array.from({ length: 2 * parts }, async (_, k) => {
+      const begin = (k >> 1) * PART;
+      decodeSeries(await read(at + k), Math.min(PART, n - begin), xy[k & 1], begin);
+    }));
+    for (const values of xy) if (size > n) values[n] = values[0];
+    return xy;
+  }
+
+  const curves = [];
+  for (const layer of scene.layers) {
+    for (const one of layer.curves ?? []) {
+      one.curve = new Curve(...await points(one, one.closed));
+      curves.push(one.curve);
+    }
+  }
+  curves.push(new Curve(...await points(scene.pool, false)));
+  for (const layer of scene.layers) {
+    for (const column of layer.columns ?? []) {
+      column.values = await numbers(column);
+      if (column.bar) column.bars = await numbers(column.bar);
+    }
+    if (layer.kind === "dots") {
+      layer.dots = new Dots(...await points(layer.points, false));
+    } else if (layer.kind !== "lines") {
+      const parts = {};
+      for (const name of ["rings", "runs", "curve", "first", "last"]) parts[name] = await numbers(layer[name]);
+      layer.areas = new Areas(curves, parts);
+    }
+  }
+  scene.box = boxOf(scene);
+  scene.iterates = iteratesOf(scene);
+  scene.points = curves.reduce((sum, curve) => sum + curve.points, 0);
+  return scene;
+}
+
+function boxOf(scene) {
+  const box = [Infinity, Infinity, -Infinity, -Infinity];
+  const add = (part) => {
+    grow(box, part[0], part[1]);
+    grow(box, part[2], part[3]);
+  };
+  for (const layer of scene.layers) {
+    for (const one of layer.curves ?? []) add(one.curve.box());
+    if (layer.areas) for (let k = 0; k < layer.areas.size; ++k) add(layer.areas.box(k));
+    if (layer.dots) for (let k = 0; k < layer.dots.points; ++k) add(layer.dots.box(k));
+  }
+  return box;
+}
+
+// All numbers of iterates that occur, ascending.
+function iteratesOf(scene) {
+  const all = new Set();
+  for (const layer of scene.layers) {
+    for (const n of layer.iterates ?? []) all.add(n);
+    if (layer.iterate >= 0) for (const n of layer.columns[layer.iterate].values) if (Number.isFinite(n)) all.add(n);
+  }
+  return [...all].sort((a, b) => a - b);
+}
+
+export function sizeOf(layer) {
+  return layer.kind === "lines" ? layer.curves.length : layer.n;
+}
+
+export function nameOf(layer, index) {
+  if (layer.kind === "lines") return layer.curves[index].name;
+  return layer.names[index] ?? `${layer.one} ${index}`;
+}
+
+// Whether a thing belongs to the iterate that is shown; null: all are.
+export function layerShows(layer, index, iterate) {
+  if (iterate === null) return true;
+  if (layer.iterates) return layer.iterates[index] === iterate;
+  return !(layer.iterate >= 0) || layer.columns[layer.iterate].values[index] === iterate;
+}
+
+export function boxOfThing(layer, index) {
+  if (layer.kind === "lines") return layer.curves[index].curve.box();
+  return layer.kind === "dots" ? layer.dots.box(index) : layer.areas.box(index);
+}

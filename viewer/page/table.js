@@ -1,0 +1,132 @@
+// The table of a layer's areas or dots: sorted, filtered, and only as many rows in the page as are seen.
+import { boxOfThing, nameOf } from "./scene.js";
+import { byId, element, rounded, withBar } from "./text.js";
+
+const ROW = 28; // pixels, as in page.css
+
+export class Table {
+  // `choose(layer, index)` is called for a click on a row, `zoom(layer, index)` for a double one.
+  constructor({ choose, zoom, inView }) {
+    Object.assign(this, { choose, zoom, inView });
+    this.layer = null;
+    this.rows = [];
+    this.sort = { column: -1, down: false };
+    this.scroller = byId("rows");
+    this.scroller.addEventListener("scroll", () => this.fill());
+    byId("filter").addEventListener("input", () => this.update());
+    byId("in-view").addEventListener("change", () => this.update());
+  }
+
+  show(layer) {
+    this.layer = layer;
+    this.sort = { column: -1, down: false };
+    this.head();
+    this.update();
+  }
+
+  head() {
+    const heads = [["name", -1], ...this.layer.columns.map((column, k) => [column.name, k])];
+    byId("heads").replaceChildren(...heads.map(([name, column]) => {
+      const sorted = this.sort.column === column && (column >= 0 || this.sort.down);
+      const button = element("button", { type: "button" }, name + (sorted ? (this.sort.down ? " \u25be" : " \u25b4") : ""));
+      button.addEventListener("click", () => {
+        // Numbers begin with the largest.
+        this.sort = this.sort.column === column ? { column, down: !this.sort.down } : { column, down: column >= 0 };
+        this.head();
+        this.update();
+      });
+      return element("th", { scope: "col", "aria-sort": sorted ? (this.sort.down ? "descending" : "ascending") : "none" }, button);
+    }));
+  }
+
+  // Terms of the filter: "area>0.1" compares a column, anything else is part of the name.
+  accepts() {
+    const tests = byId("filter").value.trim().split(/\s+/).filter(Boolean).map((term) => {
+      const [, name, sign, text] = /^(.+?)(<=|>=|<|>|=)([-+.\deE]+)$/.exec(term) ?? [];
+      const column = this.layer.columns.find((one) => one.name.replaceAll(" ", "") === name);
+      const number = Number(text);
+      if (column && !Number.isNaN(number)) {
+        const holds = { "<": (v) => v < number, "<=": (v) => v <= number, ">": (v) => v > number, ">=": (v) => v >= number, "=": (v) => v === number }[sign];
+        return (k) => holds(column.values[k]);
+      }
+      const lower = term.toLowerCase();
+      return (k) => nameOf(this.layer, k).toLowerCase().includes(lower);
+    });
+    const box = byId("in-view").checked ? this.inView() : null;
+    if (box) {
+      tests.push((k) => {
+        const [minX, minY, maxX, maxY] = boxOfThing(this.layer, k);
+        return maxX >= box[0] && minX <= box[2] && maxY >= box[1] && minY <= box[3];
+      });
+    }
+    return (k) => tests.every((test) => test(k));
+  }
+
+  update() {
+    const { layer } = this;
+    if (!layer) return;
+    const accepts = this.accepts(), { column, down } = this.sort, rows = [];
+    for (let k = 0; k < layer.n; ++k) if (accepts(k)) rows.push(k);
+    if (column >= 0) {
+      const { values } = layer.columns[column], sign = down ? -1 : 1;
+      const size = layer.columns[column].name === "area" ? Math.abs : (value) => value;
+      rows.sort((a, b) => {
+        const unknown = Number.isNaN(values[a]) - Number.isNaN(values[b]);
+        return unknown || sign * (size(values[a]) - size(values[b])) || a - b;
+      });
+    } else if (down) {
+      rows.reverse();
+    }
+    this.rows = rows;
+    byId("count").textContent = rows.length === layer.n ? `${layer.n}` : `${rows.length} of ${layer.n}`;
+    this.fill();
+  }
+
+  fill() {
+    const { layer, rows, scroller } = this;
+    if (!layer) return;
+    const first = Math.max(0, Math.floor(scroller.scrollTop / ROW) - 10);
+    const last = Math.min(rows.length, first + Math.ceil(Math.max(scroller.clientHeight, 300) / ROW) + 20);
+    const space = (height) => {
+      const cell = element("td", { colSpan: layer.columns.length + 1 });
+      cell.style.height = `${height}px`;
+      cell.style.padding = "0";
+      return element("tr", { "aria-hidden": "true" }, cell);
+    };
+    const body = [space(first * ROW)];
+    for (let r = first; r < last; ++r) body.push(this.row(rows[r]));
+    body.push(space((rows.length - last) * ROW));
+    byId("body").replaceChildren(...body);
+  }
+
+  row(k) {
+    const { layer } = this;
+    const name = element("button", { type: "button", title: "Choose; twice: look at it" }, nameOf(layer, k));
+    name.addEventListener("click", () => this.choose(layer, k));
+    const cells = layer.columns.map(({ values, bars }) => element("td", {}, bars ? withBar(values[k], bars[k]) : rounded(values[k], 8)));
+    const row = element("tr", {}, element("th", { scope: "row" }, name), ...cells);
+    if (this.chosen && this.chosen.layer === layer && this.chosen.index === k) row.className = "chosen";
+    row.addEventListener("dblclick", () => this.zoom(layer, k));
+    row.addEventListener("click", (event) => {
+      if (event.target !== name) this.choose(layer, k);
+    });
+    name.addEventListener("keydown", (event) => {
+      if (event.key !== "Enter") return;
+      event.preventDefault();
+      this.choose(layer, k);
+      this.zoom(layer, k);
+    });
+    return row;
+  }
+
+  // Marks a row, and scrolls to it.
+  mark(chosen) {
+    this.chosen = chosen;
+    const at = chosen && chosen.layer === this.layer ? this.rows.indexOf(chosen.index) : -1;
+    if (at >= 0) {
+      const { scrollTop, clientHeight } = this.scroller, top = at * ROW;
+      if (top < scrollTop || top > scrollTop + clientHeight - 2 * ROW) this.scroller.scrollTop = Math.max(0, top - clientHeight / 2);
+    }
+    this.fill();
+  }
+}

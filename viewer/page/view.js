@@ -1,0 +1,111 @@
+// The part of the plane that is seen. Its centre is the sum of two doubles, x + dx, so that it moves smoothly where
+// neighbouring doubles are pixels apart; differences to it are computed in double, and only these small numbers are drawn.
+
+const DEEPEST = 1e-13; // of the whole: beyond, neighbouring doubles are further apart than pixels
+
+export class View {
+  constructor(box) {
+    this.setBox(box);
+    this.width = this.height = 1;
+  }
+
+  setBox([minX, minY, maxX, maxY]) {
+    if (!(minX <= maxX)) [minX, minY, maxX, maxY] = [-1, -1, 1, 1];
+    this.whole = { x: minX / 2 + maxX / 2, y: minY / 2 + maxY / 2, width: maxX - minX, height: maxY - minY };
+    const size = Math.max(this.whole.width, this.whole.height);
+    this.size = size > 0 ? size : Math.max(Math.abs(this.whole.x), Math.abs(this.whole.y), 1);
+  }
+
+  resize(width, height) {
+    const depth = this.scale === undefined ? undefined : this.depth;
+    this.width = Math.max(width, 1);
+    this.height = Math.max(height, 1);
+    if (depth === undefined) this.reset();
+    else this.scale = Math.min(depth * this.wholeScale, this.maxScale);
+  }
+
+  get wholeScale() {
+    const { width, height } = this.whole, margin = 0.94;
+    const across = width > 0 ? this.width / width : Infinity, up = height > 0 ? this.height / height : Infinity;
+    const scale = Math.min(across, up);
+    return margin * (Number.isFinite(scale) ? scale : Math.min(this.width, this.height) / this.size);
+  }
+  // A double has 2^-53 of its size; a view far from the origin ends earlier than one about it.
+  get maxScale() {
+    const far = Math.max(Math.abs(this.whole.x), Math.abs(this.whole.y), this.size);
+    return Math.min(this.width, this.height) / (DEEPEST * far);
+  }
+  get depth() {
+    return this.scale / this.wholeScale;
+  }
+  get atEnd() {
+    return this.scale >= 0.999 * this.maxScale;
+  }
+
+  reset() {
+    this.x = this.whole.x;
+    this.y = this.whole.y;
+    this.dx = this.dy = 0;
+    this.scale = this.wholeScale;
+  }
+
+  // Pixels of a point, and the point at a pixel.
+  px(x) {
+    return (x - this.x - this.dx) * this.scale + this.width / 2;
+  }
+  py(y) {
+    return this.height / 2 - (y - this.y - this.dy) * this.scale;
+  }
+  at(px, py) {
+    return [this.x + (this.dx + (px - this.width / 2) / this.scale),
+            this.y + (this.dy + (this.height / 2 - py) / this.scale)];
+  }
+  // The box that is seen, and `margin` pixels round it.
+  box(margin = 0) {
+    const [minX, minY] = this.at(-margin, this.height + margin), [maxX, maxY] = this.at(this.width + margin, -margin);
+    return [minX, minY, maxX, maxY];
+  }
+
+  pan(px, py) {
+    this.dx -= px / this.scale;
+    this.dy += py / this.scale;
+    this.normalise();
+  }
+  zoom(factor, px = this.width / 2, py = this.height / 2) {
+    const scale = Math.min(Math.max(this.scale * factor, 0.2 * this.wholeScale), this.maxScale);
+    this.dx += (px - this.width / 2) * (1 / this.scale - 1 / scale);
+    this.dy -= (py - this.height / 2) * (1 / this.scale - 1 / scale);
+    this.scale = scale;
+    this.normalise();
+  }
+  // Shows a box with some room about it.
+  show([minX, minY, maxX, maxY], room = 0.7) {
+    this.x = minX / 2 + maxX / 2;
+    this.y = minY / 2 + maxY / 2;
+    this.dx = this.dy = 0;
+    const across = maxX - minX, up = maxY - minY;
+    const scale = room * Math.min(across > 0 ? this.width / across : Infinity, up > 0 ? this.height / up : Infinity);
+    this.scale = Number.isFinite(scale) ? Math.min(scale, this.maxScale) : this.scale;
+  }
+  // What dx has of x goes there; differences of doubles that are near each other are exact.
+  normalise() {
+    const x = this.x + this.dx, y = this.y + this.dy;
+    this.dx -= x - this.x;
+    this.dy -= y - this.y;
+    this.x = x;
+    this.y = y;
+  }
+
+  // "#x,y,scale" and back.
+  toLink() {
+    return `${this.x},${this.y},${this.scale / this.wholeScale}`;
+  }
+  fromLink(x, y, depth) {
+    if (![x, y, depth].every(Number.isFinite) || !(depth > 0)) return false;
+    this.x = x;
+    this.y = y;
+    this.dx = this.dy = 0;
+    this.scale = Math.min(depth * this.wholeScale, this.maxScale);
+    return true;
+  }
+}
