@@ -64,14 +64,10 @@ void run_coordinator(const BatchRequest& request, SharedWork& work, int ranks) {
   watch_for_interrupt();
   BatchReport report;
   {
-    BatchProgress line;
+    Progress progress;
+    progress.phase("jobs", 0, 1);
     report = coordinate(
-        work, session, ranks,
-        [&](const QueueProgress& progress) {
-          if (!request.quiet) line.show(progress);
-          return !interrupted();
-        },
-        broken);
+        work, session, ranks, [&](const QueueProgress& queue) { return report_queue(queue, progress); }, broken);
   }
   report.jobs = session.pending().size() + session.finished_before();
   report.finished_before = session.finished_before();

@@ -1,5 +1,6 @@
 #include "cli/tangle/tangle_outputs.hpp"
 
+#include "cli/report/table.hpp"
 #include "engine/base/stopwatch.hpp"
 
 namespace lober::cli {
@@ -28,6 +29,7 @@ void TangleOutputs::add_options(OptionParser& parser) {
       .needs(picture);
   add_window_option(parser, window, picture);
   add_format_option(parser, format);
+  add_table_option(parser);
 }
 
 std::vector<Output> TangleOutputs::files() const {
@@ -58,7 +60,7 @@ void write_tangle(const TangleOutputs& outputs, TangleReport& report, const std:
 }
 
 void print_tangle(const TangleOutputs& outputs, const TangleReport& report) {
-  if (!takes_standard_output(outputs.files())) print(tangle_table(report));
+  if (!takes_standard_output(outputs.files())) print_report(tangle_table(report));
 }
 
 }  // namespace lober::cli
