@@ -16,6 +16,8 @@
 #include "cli/program/interrupt.hpp"
 #include "cli/program/log.hpp"
 #include "cli/program/program_help.hpp"
+#include "cli/program/running.hpp"
+#include "cli/program/terminal.hpp"
 #include "cli/program/wrapped_text.hpp"
 #include "cli/published/published_form.hpp"
 #include "cli/published/published_tangle.hpp"
@@ -111,19 +113,17 @@ void run_program(const std::vector<std::string>& arguments) {
                      "? (see lober --help)");
   } else if (const std::string option = option_meant(first); !option.empty()) {
     throw UsageError("unknown option " + first + "; did you mean " + option + "? (see lober --help)");
-  } else if (is_published_tangle(arguments)) {
-    run_published_tangle(arguments);
   } else {
-    run_published_form(arguments);
+    begin_run("lober", {});  // the published forms have no options of ours
+    is_published_tangle(arguments) ? run_published_tangle(arguments) : run_published_form(arguments);
   }
 }
 
 // Exactly one line, whatever the message holds, and nothing that a terminal obeys.
 int fail(std::string message, int status) {
+  end_run(status);
   std::replace(message.begin(), message.end(), '\n', ' ');
-  std::replace_if(
-      message.begin(), message.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
-  log_error(message);
+  log_error(printable(message));
   return status;
 }
 
@@ -132,6 +132,7 @@ int guarded(const std::vector<std::string>& arguments) {
   const CancellationScope cancellation(interrupt_flag());
   try {
     run_program(arguments);
+    end_run(0);
     return 0;
   } catch (const UsageError& error) {
     return fail(error.what(), 2);

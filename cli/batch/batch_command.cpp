@@ -16,6 +16,7 @@
 #include "cli/program/help_text.hpp"
 #include "cli/program/interrupt.hpp"
 #include "cli/program/wrapped_text.hpp"
+#include "cli/program/written_files.hpp"
 #include "cli/report/report.hpp"
 #include "engine/base/machine_memory.hpp"
 #include "engine/base/nearest_word.hpp"
@@ -72,19 +73,18 @@ void run_manifest(const Arguments& arguments) {
     check_outputs(outputs, std::vector{request->manifest, request->store});
   }
   const detail::Manifest manifest = detail::read_manifest(request->manifest);
+  expect_written("--store", request->store);
   BatchReport report;
   run_with_threads(request->threads, [&] {
-    BatchProgress line;
+    Progress progress;
+    progress.phase("jobs", 0, 1);
     BatchOptions options;
     options.store = request->store;
     options.output_root = request->output_root;
     options.shard = request->shard;
     options.queue.threads = request->threads;
     options.queue.memory = request->memory;
-    options.progress = [&](const QueueProgress& progress) {
-      if (!request->quiet) line.show(progress);
-      return !interrupted();
-    };
+    options.progress = [&](const QueueProgress& queue) { return report_queue(queue, progress); };
     report = run_batch(manifest, options);
   });
   const CancellationScope shield(CancellationScope::Shield{});  // what was done is reported in any case

@@ -72,7 +72,6 @@ std::optional<BatchRequest> parse_batch(const std::vector<std::string>& argument
                "the stores of all parts.")
           .value("I/N");
   add_json_option(parser, request.json, "a report of the run");
-  parser.add_flag("-q,--quiet", request.quiet, "Do not print the progress on standard error.");
   if (!parser.parse(arguments)) return std::nullopt;
   if (memory_given.given()) request.memory = memory;
   if (shard_given.given()) request.shard = parse_shard(shard);

@@ -15,7 +15,6 @@ struct BatchRequest {
   Shard shard;
   std::size_t memory = 0;
   int threads = 0;
-  bool quiet = false;
 };
 
 /// Nothing when the arguments asked for help, which is printed. Throws UsageError.

@@ -1,10 +1,8 @@
 #include "cli/batch/batch_report.hpp"
 
 #include <spdlog/fmt/fmt.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "cli/program/log.hpp"
 #include "cli/report/json.hpp"
@@ -12,13 +10,6 @@
 
 namespace lober::cli {
 namespace {
-
-std::string format_time_left(double seconds) {
-  if (seconds < 100) return fmt::format("{:.1f} s", seconds);
-  const auto whole = static_cast<long>(seconds);
-  return whole < 3600 ? fmt::format("{}:{:02} min", whole / 60, whole % 60)
-                      : fmt::format("{}:{:02} h", whole / 3600, whole / 60 % 60);
-}
 
 // Shares of the time that the threads had.
 struct Shares {
@@ -33,29 +24,10 @@ Shares shares_of(const BatchReport& report) {
 
 }  // namespace
 
-BatchProgress::BatchProgress()
-    : terminal_(isatty(STDERR_FILENO) != 0), start_(std::chrono::steady_clock::now()), last_(start_) {}
-
-BatchProgress::~BatchProgress() {
-  if (drawn_) std::fputs("\r\x1b[K", stderr);
-}
-
-void BatchProgress::show(const QueueProgress& progress) {
-  const auto now = std::chrono::steady_clock::now();
-  if (!terminal_ && now - last_ < std::chrono::seconds(10)) return;
-  last_ = now;
-  const double seconds = std::chrono::duration<double>(now - start_).count();
-  const auto rate = [&](double count) { return count / std::max(seconds, 1e-9); };
-  std::string line =
-      fmt::format("{} of {} jobs, {:.0f} a second, {:.3g} points a second", progress.done, progress.jobs,
-                  rate(static_cast<double>(progress.done)), rate(static_cast<double>(progress.points_done)));
-  if (progress.failed != 0) line += fmt::format(", {} failed", progress.failed);
-  if (progress.cost_done > 0) {
-    line += ", left about " +
-            format_time_left(seconds * std::max(progress.cost - progress.cost_done, 0.0) / progress.cost_done);
-  }
-  std::fputs(terminal_ ? ("\r\x1b[K" + line).c_str() : (line + "\n").c_str(), stderr);
-  drawn_ = terminal_;
+bool report_queue(const QueueProgress& queue, Progress& progress) {
+  if (queue.failed != 0) progress.label(fmt::format("jobs ({} of {} failed)", queue.failed, queue.done));
+  progress.count(static_cast<double>(queue.done), "jobs");
+  return progress.advance(queue.cost > 0 ? std::min(queue.cost_done / queue.cost, 1.0) : 0);
 }
 
 std::string batch_summary(const BatchReport& report, const std::string& store) {

@@ -1,28 +1,17 @@
 // The texts of `lober batch run` while it works and when it is done.
 #pragma once
 
-#include <chrono>
 #include <string>
 #include <vector>
 
+#include "cli/program/progress.hpp"
 #include "engine/batch/batch.hpp"
 
 namespace lober::cli {
 
-/// One line on standard error: redrawn on a terminal, else once in ten seconds.
-class BatchProgress {
- public:
-  BatchProgress();
-  ~BatchProgress();  ///< wipes a redrawn line away
-  BatchProgress(const BatchProgress&) = delete;
-  BatchProgress& operator=(const BatchProgress&) = delete;
-  void show(const QueueProgress& progress);
-
- private:
-  bool terminal_;
-  bool drawn_ = false;
-  std::chrono::steady_clock::time_point start_, last_;
-};
+/// How far the queue is: jobs that are done, jobs that failed, and the part of the work by its estimated cost. Returns
+/// false when the user has interrupted.
+[[nodiscard]] bool report_queue(const QueueProgress& queue, Progress& progress);
 
 [[nodiscard]] std::string batch_summary(const BatchReport& report, const std::string& store);
 void write_batch_json(const std::string& path, const BatchReport& report, const std::string& manifest,

@@ -95,6 +95,7 @@ void run(const DensifyRequest& request) {
     std::vector<operations::Input> inputs;
     curves.reserve(request.curves.size());
     for (const std::string& file : request.curves) {
+      progress.file(curves.size(), request.curves.size());
       curves.push_back(
           read_curve(file, curves.empty() ? !request.open : !request.open_against, {.periods = request.periods}));
       if (curves.size() == 2) move_near(curves[1].curve.points, curves[0].curve.points, request.periods);

@@ -13,6 +13,7 @@
 #include "cli/program/table_options.hpp"
 #include "cli/report/agreement_report.hpp"
 #include "cli/report/outcome_json.hpp"
+#include "cli/report/table.hpp"
 #include "cli/view/page_output.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/base/cancellation.hpp"
@@ -64,6 +65,7 @@ std::optional<EscapeRequest> parse_escape(const std::vector<std::string>& argume
            "Write the surfaces of the tubes between their orbits and the section to FILE, in the coordinates x, y and "
            "the velocity on the section: as legacy VTK (.vtk), or drawn as an SVG picture (.svg) (default: no file).")
       .value("FILE");
+  add_table_option(parser);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return std::nullopt;
   if (!request.tubes.empty()) (void)is_vtk(request.tubes);
@@ -102,12 +104,10 @@ void compute(const EscapeRequest& request, bool print_at_once, EscapeReport& rep
   if (print_at_once) {
     context.on_part = [&](const void* known) {
       const auto& so_far = *static_cast<const Escape*>(known);
-      progress.above([&] {
-        if (agreed) print(agreement_text(so_far.agreement));
-        agreed = so_far.agreement.agrees();
-        if (so_far.crossings == 1) print(escape_heading(report.system.name, so_far));
-        print(escape_rows(so_far, so_far.crossings));
-      });
+      if (agreed) print_report(agreement_text(so_far.agreement));
+      agreed = so_far.agreement.agrees();
+      if (so_far.crossings == 1) print_report(escape_heading(report.system.name, so_far));
+      print_report(escape_rows(so_far, so_far.crossings));
     };
   }
   const detail::Stopwatch watch;
@@ -117,7 +117,7 @@ void compute(const EscapeRequest& request, bool print_at_once, EscapeReport& rep
   for (Parameter& parameter : report.system.parameters) {
     if (parameter.name == "energy") parameter.value = report.result().energy;
   }
-  if (print_at_once && report.result().crossings > 0 && agreed) print(agreement_text(report.outcome.agreement));
+  if (print_at_once && report.result().crossings > 0 && agreed) print_report(agreement_text(report.outcome.agreement));
 }
 
 // After all numbers are out: a picture that cannot be drawn costs none of them.
@@ -167,11 +167,11 @@ void run(const EscapeRequest& request) {
   }
   const operations::SystemEscape& result = report.result();
   if (printing && (!print_at_once || result.crossings == 0)) {
-    print(agreement_text(result.agreement));
-    print(escape_heading(report.system.name, result));
-    for (int n = 1; n <= result.crossings; ++n) print(escape_rows(result, n));
+    print_report(agreement_text(result.agreement));
+    print_report(escape_heading(report.system.name, result));
+    for (int n = 1; n <= result.crossings; ++n) print_report(escape_rows(result, n));
   }
-  if (printing) print(escape_summary(report));
+  if (printing) print_report(escape_summary(report));
   if (!request.svg.empty()) draw(request.svg, report);
   if (!request.html.empty()) write_page(request.html, report);
   if (result.stop == EscapeStop::cancelled) throw Cancelled();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cli/escape/escape_report.hpp"
+#include "cli/report/table.hpp"
 
 namespace lober::cli {
 namespace {
@@ -15,6 +16,10 @@ std::string percent(double fraction, double error) {
   if (fraction == 0 && error == 0) return "0";
   const int digits = error > 0 ? std::clamp(static_cast<int>(-std::floor(std::log10(100 * error))), 0, 12) : 12;
   return fmt::format("{:.{}f} +- {:.0e}", 100 * fraction, digits, 100 * error);
+}
+
+Table crossings_table(const char* last) {
+  return Table({{"n", 4, Align::right, 0}, {"entrance", 10, Align::left, 2}, {"exit", 10, Align::left}, {last, 28}});
 }
 
 std::string orbits_text(const Escape& result, const std::vector<std::string>& names) {
@@ -48,13 +53,12 @@ std::string escape_heading(const std::string& system, const Escape& result) {
 std::string escape_rows(const Escape& result, int n) {
   const std::vector<std::string> names = bottleneck_names(result);
   std::string text;
-  if (n == 1) {
-    text += fmt::format("\n{:>4}  {:<10} {:<10} {:>28}\n", "n", "entrance", "exit", "leaves after crossing n, %");
-  }
+  const Table table = crossings_table("leaves after crossing n, %");
+  if (n == 1) text += "\n" + table.head();
   for (const EscapeFraction& row : result.table) {
     if (row.crossings != n) continue;
-    text += fmt::format("{:>4}  {:<10} {:<10} {:>28}{}\n", n, names[row.entry], names[row.exit],
-                        percent(row.fraction, row.error), row.cut ? "  of cut curves" : "");
+    text += table.row({std::to_string(n), names[row.entry], names[row.exit], percent(row.fraction, row.error)},
+                      row.cut ? "  of cut curves" : "");
   }
   return text;
 }
@@ -81,13 +85,13 @@ std::string escape_summary(const EscapeReport& report) {
                         100 * result.largest_split_difference);
   }
   if (!result.counted) return text;
-  if (report.lists_counts)
-    text += fmt::format("\n{:>4}  {:<10} {:<10} {:>28}\n", "n", "entrance", "exit", "counted, %");
+  const Table table = crossings_table("counted, %");
+  if (report.lists_counts) text += "\n" + table.head();
   for (std::size_t k = 0; report.lists_counts && k < result.table.size(); ++k) {
     const EscapeFraction& row = result.table[k];
     const MonteCarloFraction& counted = result.counted->table[k];
-    text += fmt::format("{:>4}  {:<10} {:<10} {:>28}\n", row.crossings, names[row.entry], names[row.exit],
-                        percent(counted.fraction, counted.standard_error));
+    text += table.row({std::to_string(row.crossings), names[row.entry], names[row.exit],
+                       percent(counted.fraction, counted.standard_error)});
   }
   text +=
       fmt::format("{} trajectories from each entrance, {} {}: largest deviation {:.2f} standard errors\n",

@@ -10,6 +10,7 @@
 #include "cli/program/system_options.hpp"
 #include "cli/program/table_options.hpp"
 #include "cli/report/outcome_json.hpp"
+#include "cli/report/table.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/base/threads.hpp"
 
@@ -47,7 +48,7 @@ void run(const FixedPointsRequest& request) {
                          });
     }
   }
-  if (!takes_standard_output(outputs)) print(fixed_points_table(report));
+  if (!takes_standard_output(outputs)) print_report(fixed_points_table(report));
 }
 
 }  // namespace
@@ -63,6 +64,7 @@ void run_fixed_points(const std::vector<std::string>& arguments) {
   parser.add("--csv", request.csv, "Write the points to FILE as comma-separated columns (default: no file).")
       .value("FILE");
   add_json_option(parser, request.json);
+  add_table_option(parser);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return;
   request.settings = options.settings();

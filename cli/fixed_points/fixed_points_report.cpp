@@ -50,12 +50,19 @@ std::string fixed_points_table(const FixedPointsReport& report) {
                       found.turns == 0 ? "" : fmt::format(", {} turns", found.turns));
   text += fmt::format("\n{} found; {}", counted(found.points.size(), "point", "points"), completeness_text(report));
   if (found.points.empty()) return text;
-  text += fmt::format("\n{:>20} {:>20} {:>6} {:<16} {:>14} {:>28} {:>9}\n", "x", "y", "period", " type", "residue",
-                      "multiplier", "residual");
+  const Table table({{"x", 20, Align::right, 0},
+                     {"y", 20},
+                     {"period", 6},
+                     {"type", 15, Align::left, 2},
+                     {"residue", 14},
+                     {"multiplier", 28},
+                     {"residual", 9}});
+  text += "\n" + table.head();
   for (const FixedPoint& point : found.points) {
-    text += fmt::format("{:>20.14g} {:>20.14g} {:>6}  {:<15} {:>14.8g} {:>28} {:>9.1e}\n", point.at.x, point.at.y,
-                        point.period, name(point.kind), residue(point), multiplier_text(point.multipliers[0]),
-                        point.residual);
+    text +=
+        table.row({fmt::format("{:.14g}", point.at.x), fmt::format("{:.14g}", point.at.y), std::to_string(point.period),
+                   std::string(name(point.kind)), fmt::format("{:.8g}", residue(point)),
+                   multiplier_text(point.multipliers[0]), fmt::format("{:.1e}", point.residual)});
   }
   return text;
 }

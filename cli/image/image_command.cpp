@@ -12,6 +12,7 @@
 #include "cli/program/system_options.hpp"
 #include "cli/program/table_options.hpp"
 #include "cli/report/agreement_report.hpp"
+#include "cli/report/table.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/base/threads.hpp"
 
@@ -94,6 +95,7 @@ std::optional<ImageRequest> parse_image(const std::vector<std::string>& argument
       parser.add("--svg", request.svg, "Draw all images as an SVG picture in FILE (default: no file).").value("FILE");
   add_window_option(parser, request.window, picture);
   add_json_option(parser, request.json);
+  add_table_option(parser);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return std::nullopt;
   request.boundary = options["boundary"].given();
@@ -133,11 +135,13 @@ void run(const ImageRequest& request) {
   std::vector<operations::Input> inputs{report.system};
   {
     Progress progress;
-    progress.phase("images", 0, 0.9);
     if (!request.curve.empty()) {
+      progress.phase("reading", 0, 0.1);
+      progress.file(0, 1);
       report.input = read_curve(request.curve, !request.open);
       inputs.emplace_back(operations::CurveInput{report.input->curve, request.curve});
     }
+    progress.phase("images", request.curve.empty() ? 0 : 0.1, 0.9);
     operations::Context context;
     context.progress = told_to(progress);
     context.count = [&](double amount, std::string_view unit) { progress.count(amount, unit); };
@@ -149,7 +153,7 @@ void run(const ImageRequest& request) {
     report.write_seconds = write_watch.seconds();
     if (!request.json.empty()) write_image_json(request.json, report, [&] { return watch.seconds(); });
   }
-  if (!takes_standard_output(outputs)) print(image_table(report));
+  if (!takes_standard_output(outputs)) print_report(image_table(report));
   require_agreement(report.outcome.agreement);
 }
 

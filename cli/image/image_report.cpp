@@ -64,13 +64,17 @@ std::string image_table(const ImageReport& report) {
     widest.curve = found.images.back().curve;
     names = std::max(names, widest.name().size());
   }
-  text += fmt::format("\n{:<{}} {:>10} {:>6} {:>16} {:>23} {:>9}\n", "", names, "points", "parts", "length",
-                      "signed area", "+-");
+  const Table table(
+      {{"", names, Align::left, 0}, {"points", 10}, {"parts", 6}, {"length", 16}, {"signed area", 23}, {"+-", 9}});
+  text += "\n" + table.head();
   for (const auto& one : found.images) {
-    text += fmt::format("{:<{}} {:>10} {:>6} {:>16.9g}", one.name(), names, one.image.points.size(), one.parts.size(),
-                        one.length);
-    if (one.area) text += fmt::format(" {:>23.15g} {:>9.1e}", one.area->value, one.area->error);
-    text += "\n";
+    std::vector<std::string> cells{one.name(), std::to_string(one.image.points.size()),
+                                   std::to_string(one.parts.size()), fmt::format("{:.9g}", one.length)};
+    if (one.area) {
+      cells.push_back(fmt::format("{:.15g}", one.area->value));
+      cells.push_back(fmt::format("{:.1e}", one.area->error));
+    }
+    text += table.row(cells);
   }
   const std::string more = remarks(report);
   return more.empty() ? text : text + "\n" + more;

@@ -8,10 +8,11 @@
 
 #include "cli/interior/interior_report.hpp"
 #include "cli/program/command_line.hpp"
-#include "cli/program/log.hpp"
+#include "cli/program/running.hpp"
 #include "cli/program/table_options.hpp"
 #include "cli/report/agreement_report.hpp"
 #include "cli/report/regions_report.hpp"
+#include "cli/report/table.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/base/threads.hpp"
 
@@ -24,7 +25,6 @@ struct InteriorRequest {
   std::string json, svg, rule;
   std::vector<operations::OptionSetting> settings;
   int threads = 0;
-  bool verbose = false;
 };
 
 // Nothing when the arguments asked for help, which is printed.
@@ -42,10 +42,10 @@ std::optional<InteriorRequest> parse_interior(const std::vector<std::string>& ar
                               "and Q3, as an SVG picture in FILE (default: no file).")
                          .value("FILE");
   add_json_option(parser, request.json);
+  add_table_option(parser);
   add_threads_option(parser, request.threads);
   Option rule = add_rule_option(parser, request.rule).excludes(svg);
   for (const char* const key : {"method", "passes", "points", "check_simple", "verify"}) rule.excludes(options[key]);
-  add_verbose_option(parser, request.verbose);
   if (!parser.parse(arguments)) return std::nullopt;
   request.settings = options.settings();
   if (!request.rule.empty()) {
@@ -69,13 +69,15 @@ void write_json(const std::string& path, CurvesReport& report, const std::functi
                     seconds_so_far);
 }
 
-void log_timing(const CurvesReport& report, double total) {
+void report_timing(const CurvesReport& report) {
   const InteriorTiming& timing = report.outcome.as<operations::CurveInterior>().timing;
-  log_info(fmt::format(
-      "seconds: read {:.4f}, index {:.4f}, check {:.4f}, crossings {:.4f}, order {:.4f}, labels {:.4f}, sums {:.4f}, "
-      "total {:.4f}",
-      report.read_seconds, report.index_seconds, timing.check, timing.crossings, timing.order, timing.labels,
-      timing.sums, total));
+  report_seconds({{"read", report.read_seconds},
+                  {"index", report.index_seconds},
+                  {"check", timing.check},
+                  {"crossings", timing.crossings},
+                  {"order", timing.order},
+                  {"labels", timing.labels},
+                  {"sums", timing.sums}});
 }
 
 std::string areas_by_rule(const CurvesReport& report) {
@@ -103,8 +105,8 @@ void run(const InteriorRequest& request) {
       by_rule ? write_regions_json(request.json, "interior", report, total) : write_json(request.json, report, total);
   }
   if (!takes_standard_output(outputs))
-    print(by_rule ? regions_table(report) + areas_by_rule(report) : interior_table(report));
-  by_rule ? log_regions_timing(report, watch.seconds()) : log_timing(report, watch.seconds());
+    print_report(by_rule ? regions_table(report) + areas_by_rule(report) : interior_table(report));
+  by_rule ? report_regions_timing(report) : report_timing(report);
   require_agreement(report.outcome.agreement);
 }
 
@@ -113,7 +115,6 @@ void run(const InteriorRequest& request) {
 void run_interior(const std::vector<std::string>& arguments) {
   const std::optional<InteriorRequest> request = parse_interior(arguments);
   if (!request) return;
-  if (request->verbose) show_all_messages();
   run_with_threads(request->threads, [&] { run(*request); });
 }
 

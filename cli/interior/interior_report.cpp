@@ -26,14 +26,15 @@ std::string interior_table(const CurvesReport& report) {
   std::string text = agreement_text(found.agreement);
   text += inputs_text(report.inputs, {found.orientation1, found.orientation2});
   text += fmt::format("\n{}\n{}\n", meetings_text(found.nodes), method_text(report.outcome));
-  text += fmt::format("\n{:<16} {:>23}  {:>10}{}{}\n", "area of", "", "+- rounding",
-                      found.splitting ? "   splitting" : "", found.consistency ? " consistency" : "");
+  Table table = areas_table("area of", "");
+  if (found.splitting) table.add({"splitting", 11});
+  if (found.consistency) table.add({"consistency", 11});
+  text += "\n" + table.head();
   for (const NamedArea& area : named_areas) {
-    text +=
-        fmt::format("{:<16} {:>23.16g}  {:>11.1e}", area.label, found.areas.*area.member, found.rounding.*area.member);
-    if (found.splitting) text += fmt::format(" {:>11.1e}", (*found.splitting).*area.member);
-    if (found.consistency) text += fmt::format(" {:>11.1e}", (*found.consistency).*area.member);
-    text += "\n";
+    std::vector<std::string> cells = area_cells(area, found.areas, found.rounding);
+    if (found.splitting) cells.push_back(fmt::format("{:.1e}", (*found.splitting).*area.member));
+    if (found.consistency) cells.push_back(fmt::format("{:.1e}", (*found.consistency).*area.member));
+    text += table.row(cells);
   }
   text += fmt::format("\nQ1 {:.16g}, Q2 {:.16g}, Q3 {:.16g}; delta {:.1e} (zero by algebra, no error bar)\n", found.q1,
                       found.q2, found.q3, found.delta);

@@ -10,6 +10,7 @@
 #include "cli/program/progress.hpp"
 #include "cli/program/table_options.hpp"
 #include "cli/report/outcome_json.hpp"
+#include "cli/report/table.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/base/error.hpp"
 #include "lober/base/threads.hpp"
@@ -52,7 +53,7 @@ void run(const LevelsRequest& request) {
                          });
     }
   }
-  if (!takes_standard_output(outputs)) print(levels_table(report));
+  if (!takes_standard_output(outputs)) print_report(levels_table(report));
 }
 
 }  // namespace
@@ -75,6 +76,7 @@ void run_levels(const std::vector<std::string>& arguments) {
   add_format_option(parser, request.format);
   parser.add("--svg", request.svg, "Draw the level curves as an SVG picture in FILE (default: no file).").value("FILE");
   add_json_option(parser, request.json);
+  add_table_option(parser);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return;
   if (!request.output.empty() && !takes_several(request.output, request.format)) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cli/report/curve_file.hpp"
+#include "cli/report/table.hpp"
 #include "lober/curve/files.hpp"
 
 namespace lober::cli {
@@ -18,15 +19,21 @@ std::string levels_table(const LevelsReport& report) {
               : std::string("levels     of the potential, the least energy at a position\n");
   text += fmt::format("grid       {} x {} cells on [{:.10g}, {:.10g}] x [{:.10g}, {:.10g}]\n", grid.columns(),
                       grid.rows(), grid.window().min_x, grid.window().max_x, grid.window().min_y, grid.window().max_y);
-  text += fmt::format("\n{:>22} {:>7} {:>7} {:>8}  {}\n", report.quantity(), "curves", "closed", "points", "saddle");
+  const Table table({{report.quantity(), 22, Align::right, 0},
+                     {"curves", 7},
+                     {"closed", 7},
+                     {"points", 8},
+                     {"saddle", 0, Align::left, 2}});
+  text += "\n" + table.head();
   double largest = 0;
   for (const operations::SystemLevel& level : levels) largest = std::max(largest, std::fabs(level.value));
   for (const operations::SystemLevel& level : levels) {
     // A level of 0 is off by rounding of the others.
     const double value = std::fabs(level.value) < 1e-15 * largest ? 0 : level.value;
-    text += fmt::format("{:>22.16g} {:>7} {:>7} {:>8}", value, level.curves.size(), level.closed(), level.points());
-    if (level.saddle) text += fmt::format("  ({:.10g}, {:.10g})", level.saddle->x, level.saddle->y);
-    text += "\n";
+    std::vector<std::string> cells{fmt::format("{:.16g}", value), std::to_string(level.curves.size()),
+                                   std::to_string(level.closed()), std::to_string(level.points())};
+    if (level.saddle) cells.push_back(fmt::format("({:.10g}, {:.10g})", level.saddle->x, level.saddle->y));
+    text += table.row(cells);
   }
   return text;
 }

@@ -23,13 +23,13 @@ constexpr std::array<PairingText, 2> pairing_texts{{{"C1 \\ C2", "A+_C1", "A-_C2
 // A function of two crossings that is 1 where the second one is `next` of the first one, and 0 elsewhere.
 void add_matrix(std::string& text, const char* title, const std::vector<SigmaStep>& steps,
                 std::uint32_t SigmaStep::*next) {
-  text += fmt::format("\n{:>8}", title);
-  for (const SigmaStep& column : steps) text += fmt::format(" {:>3}", column.crossing);
-  text += "\n";
+  Table table({{title, 8, Align::right, 0}});
+  for (const SigmaStep& column : steps) table.add({std::to_string(column.crossing), 3});
+  text += "\n" + table.head();
   for (const SigmaStep& row : steps) {
-    text += fmt::format("{:>8}", row.crossing);
-    for (const SigmaStep& column : steps) text += fmt::format(" {:>3}", row.*next == column.crossing ? 1 : 0);
-    text += "\n";
+    std::vector<std::string> cells{std::to_string(row.crossing)};
+    for (const SigmaStep& column : steps) cells.emplace_back(row.*next == column.crossing ? "1" : "0");
+    text += table.row(cells);
   }
 }
 
@@ -42,12 +42,19 @@ double half_sum(const std::vector<SigmaStep>& steps) {
 void add_pairing(std::string& text, const std::vector<SigmaStep>& steps, const PairingText& names) {
   text += fmt::format("\n{}: {}; half the sum of S is {:.16g}\n", names.title,
                       counted(class_count(steps), "class", "classes"), half_sum(steps));
-  text += fmt::format("{:>8} {:>4} {:>6} {:>6} {:>6} {:>6} {:>24}\n", "crossing", "rho", names.first, names.second,
-                      "sigma", "class", "S");
+  const Table table({{"crossing", 8, Align::right, 0},
+                     {"rho", 4},
+                     {names.first, 6},
+                     {names.second, 6},
+                     {"sigma", 6},
+                     {"class", 6},
+                     {"S", 24}});
+  text += table.head();
   const std::size_t rows = std::min(max_table_crossings, steps.size());
   for (const SigmaStep& step : std::span(steps).first(rows)) {
-    text += fmt::format("{:>8} {:>+4} {:>6} {:>6} {:>6} {:>6} {:>24.16g}\n", step.crossing, step.rho, step.along1,
-                        step.along2, step.sigma, step.class_number, step.s);
+    text += table.row({std::to_string(step.crossing), fmt::format("{:+}", step.rho), std::to_string(step.along1),
+                       std::to_string(step.along2), std::to_string(step.sigma), std::to_string(step.class_number),
+                       fmt::format("{:.16g}", step.s)});
   }
   if (steps.size() > rows) text += fmt::format("{:>8} and {} more\n", "...", steps.size() - rows);
   if (steps.empty() || steps.size() > max_matrix_rows) return;

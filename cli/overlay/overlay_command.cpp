@@ -2,16 +2,15 @@
 
 #include "cli/overlay/overlay_command.hpp"
 
-#include <spdlog/fmt/fmt.h>
-
 #include <optional>
 
 #include "cli/overlay/overlay_report.hpp"
 #include "cli/program/command_line.hpp"
-#include "cli/program/log.hpp"
+#include "cli/program/running.hpp"
 #include "cli/program/table_options.hpp"
 #include "cli/report/agreement_report.hpp"
 #include "cli/report/regions_report.hpp"
+#include "cli/report/table.hpp"
 #include "cli/view/page_output.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/base/threads.hpp"
@@ -26,7 +25,6 @@ struct OverlayRequest {
   std::vector<operations::OptionSetting> settings;
   std::vector<double> window;  // window of the picture
   int threads = 0;
-  bool verbose = false;
   bool rings = false;
 };
 
@@ -65,8 +63,8 @@ std::optional<OverlayRequest> parse_overlay(const std::vector<std::string>& argu
   for (const char* const key : {"check_simple", "verify", "smooth", "classes", "discretisation"}) {
     rule.excludes(options[key]);
   }
+  add_table_option(parser);
   add_threads_option(parser, request.threads);
-  add_verbose_option(parser, request.verbose);
   if (!parser.parse(arguments)) return std::nullopt;
   if (request.rings && request.json.empty()) throw UsageError("--rings needs --json (see lober overlay --help)");
   (void)window_of(request.window);
@@ -101,14 +99,18 @@ void write_json(const std::string& path, bool rings, CurvesReport& report,
                     });
 }
 
-void log_timing(const CurvesReport& report, double total) {
+void report_timing(const CurvesReport& report) {
   const auto& found = report.outcome.as<CurveOverlay>();
   const OverlayTiming& timing = found.timing;
-  log_info(
-      fmt::format("seconds: read {:.4f}, index {:.4f}, check {:.4f}, crossings {:.4f}, order {:.4f}, areas {:.4f}, "
-                  "verify {:.4f}, smooth {:.4f}, write {:.4f}, total {:.4f}",
-                  report.read_seconds, report.index_seconds, timing.check, timing.crossings, timing.order, timing.areas,
-                  found.verify_seconds, found.smooth_seconds, report.write_seconds, total));
+  report_seconds({{"read", report.read_seconds},
+                  {"index", report.index_seconds},
+                  {"check", timing.check},
+                  {"crossings", timing.crossings},
+                  {"order", timing.order},
+                  {"areas", timing.areas},
+                  {"verify", found.verify_seconds},
+                  {"smooth", found.smooth_seconds},
+                  {"write", report.write_seconds}});
 }
 
 void run(const OverlayRequest& request) {
@@ -142,8 +144,8 @@ void run(const OverlayRequest& request) {
       if (!request.json.empty()) write_json(request.json, request.rings, report, total);
     }
   }
-  if (!takes_standard_output(outputs)) print(by_rule ? regions_table(report) : overlay_table(report));
-  by_rule ? log_regions_timing(report, watch.seconds()) : log_timing(report, watch.seconds());
+  if (!takes_standard_output(outputs)) print_report(by_rule ? regions_table(report) : overlay_table(report));
+  by_rule ? report_regions_timing(report) : report_timing(report);
   require_agreement(report.outcome.agreement);
 }
 
@@ -152,7 +154,6 @@ void run(const OverlayRequest& request) {
 void run_overlay(const std::vector<std::string>& arguments) {
   const std::optional<OverlayRequest> request = parse_overlay(arguments);
   if (!request) return;
-  if (request->verbose) show_all_messages();
   run_with_threads(request->threads, [&] { run(*request); });
 }
 

@@ -10,16 +10,23 @@ namespace {
 
 void add_areas(std::string& text, const CurveOverlay& found) {
   const std::optional<SmoothAreas>& smooth = found.smooth;
-  text += fmt::format("\n{:<16} {:>23}  {:>10}{}{}{}\n", "area of", smooth ? "polygons" : "", "+- rounding",
-                      found.discretisation ? "  discretisation" : "", found.consistency ? "   consistency" : "",
-                      smooth ? fmt::format(" {:>23}  {:>9}", "smooth", "+-") : "");
+  Table table = areas_table("area of", smooth ? "polygons" : "");
+  if (found.discretisation) table.add({"discretisation", 15});
+  if (found.consistency) table.add({"consistency", 13});
+  if (smooth) {
+    table.add({"smooth", 23});
+    table.add({"+-", 9, Align::right, 2});
+  }
+  text += "\n" + table.head();
   for (const NamedArea& area : named_areas) {
-    text +=
-        fmt::format("{:<16} {:>23.16g}  {:>11.1e}", area.label, found.areas.*area.member, found.rounding.*area.member);
-    if (found.discretisation) text += fmt::format(" {:>15.1e}", (*found.discretisation).*area.member);
-    if (found.consistency) text += fmt::format(" {:>13.1e}", (*found.consistency).*area.member);
-    if (smooth) text += fmt::format(" {:>23.16g}  {:>9.1e}", smooth->areas.*area.member, smooth->error.*area.member);
-    text += "\n";
+    std::vector<std::string> cells = area_cells(area, found.areas, found.rounding);
+    if (found.discretisation) cells.push_back(fmt::format("{:.1e}", (*found.discretisation).*area.member));
+    if (found.consistency) cells.push_back(fmt::format("{:.1e}", (*found.consistency).*area.member));
+    if (smooth) {
+      cells.push_back(fmt::format("{:.16g}", smooth->areas.*area.member));
+      cells.push_back(fmt::format("{:.1e}", smooth->error.*area.member));
+    }
+    text += table.row(cells);
   }
   if (smooth && smooth->fallback_segments + smooth->fallback_crossings > 0) {
     text += fmt::format("not smooth: {}, {}\n", counted(smooth->fallback_segments, "segment", "segments"),
@@ -44,13 +51,19 @@ void add_pieces(std::string& text, const CurveOverlay& found, Pairing pairing, c
   const Slivers slivers = find_slivers(found, pairing);
   text += fmt::format("\n{}: {}\n", label, pieces.size() == 0 ? "no lobe" : counted(pieces.size(), "lobe", "lobes"));
   if (pieces.size() == 0) return;
-  text += fmt::format("{:>8} {:>23}   {:^26} {:>6}  {}\n", "lobe", "area", "centroid", "holes", "crossings");
+  const Table table({{"lobe", 8, Align::right, 0},
+                     {"area", 23},
+                     {"centroid", 26, Align::centre, 3},
+                     {"holes", 6},
+                     {"crossings", 0, Align::left, 2}});
+  text += table.head();
   const std::vector<std::uint32_t> order = largest(pieces.areas());
   for (const std::uint32_t number : order) {
     const Piece piece = pieces[number];
     const Point at = centroid(found, pairing, number);
-    text += fmt::format("{:>8} {:>23.16g}   ({:>11.5g}, {:>11.5g}) {:>6}  {}\n", number, piece.area, at.x, at.y,
-                        piece.holes, crossings_text(piece.crossings));
+    text += table.row({std::to_string(number), fmt::format("{:.16g}", piece.area),
+                       fmt::format("({:>11.5g}, {:>11.5g})", at.x, at.y), std::to_string(piece.holes),
+                       crossings_text(piece.crossings)});
   }
   if (pieces.size() > order.size()) text += fmt::format("{:>8} and {} more\n", "...", pieces.size() - order.size());
   if (!slivers.pieces.empty()) {

@@ -41,10 +41,10 @@ constexpr std::string_view accuracy_group[]{"--angle",
                                             "--verify",
                                             "--method"};
 constexpr std::string_view files_to_read[]{"--manifolds"};
-constexpr std::string_view results_group[]{"--bibtex", "--format", "--markdown"};
+constexpr std::string_view results_group[]{"--bibtex", "--format", "--markdown", "--table"};
 constexpr std::string_view pictures_group[]{"--svg", "--picture", "--html", "--labels", "--window"};
-constexpr std::string_view running_group[]{"--budget",  "--memory",  "--quiet",   "--shard",
-                                           "--threads", "--verbose", "--version", "--help"};
+constexpr std::string_view running_group[]{"--budget",  "--memory",  "--progress", "--quiet", "--shard",
+                                           "--threads", "--verbose", "--version",  "--help"};
 
 bool has_name(const OptionDescription& option, std::span<const std::string_view> among) {
   return std::any_of(option.names.begin(), option.names.end(), [&](const std::string& name) {

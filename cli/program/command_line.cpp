@@ -8,6 +8,8 @@
 #include <optional>
 
 #include "cli/program/output_names.hpp"
+#include "cli/program/terminal.hpp"
+#include "cli/program/written_files.hpp"
 #include "engine/base/output_file.hpp"
 #include "engine/files/curve_spec.hpp"
 #include "engine/files/period_text.hpp"
@@ -42,8 +44,10 @@ bool is_special(const std::string& path) {
 }  // namespace
 
 void print(std::string_view text) {
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  if (!written || std::fflush(stdout) != 0) throw DataError("standard output cannot be written");
+  bool written = false;
+  write_above_status_line(
+      [&] { written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0; });
+  if (!written) throw DataError("standard output cannot be written");
 }
 
 void check_outputs(std::span<const Output> outputs, std::span<const std::string> inputs) {
@@ -73,7 +77,9 @@ void check_outputs(std::span<const Output> outputs, std::span<const std::string>
   }
   for (const Output& output : outputs) {
     // Opens a temporary file beside it, and removes that again.
-    if (!is_special(output.path)) detail::OutputFile probe(output.path);
+    if (is_special(output.path)) continue;
+    { detail::OutputFile probe(output.path); }
+    expect_written(output.option, output.path);
   }
 }
 
@@ -158,10 +164,6 @@ void add_threads_option(OptionParser& parser, int& threads) {
            "The number of threads (default: one per core). The results are the same bits for any number.")
       .value("N")
       .range(1, max_threads);
-}
-
-void add_verbose_option(OptionParser& parser, bool& verbose) {
-  parser.add_flag("-v,--verbose", verbose, "Print the time that each phase took, in seconds, on standard error.");
 }
 
 Option add_memory_option(OptionParser& parser, std::uint64_t& bytes, const char* help) {

@@ -58,8 +58,6 @@ Option add_window_option(OptionParser& parser, std::vector<double>& window, Opti
 [[nodiscard]] std::optional<Rectangle> window_of(const std::vector<double>& window);
 /// --threads N, for run_with_threads (lober/threads.hpp).
 void add_threads_option(OptionParser& parser, int& threads);
-/// --verbose.
-void add_verbose_option(OptionParser& parser, bool& verbose);
 /// --memory SIZE: "4G", "500M", "64k" or bytes.
 Option add_memory_option(OptionParser& parser, std::uint64_t& bytes, const char* help);
 /// --reverse u|s|both, of two manifolds U and S.

@@ -18,9 +18,9 @@ CurvesReport run_on_curves(const std::string& operation, const std::array<std::s
   const detail::Stopwatch read_watch;
   double points = 0;
   for (std::size_t k = 0; k < 2; ++k) {
+    progress.file(k, 2);
     report.inputs[k] = read_curve(curves[k], true, {.periods = periods});
     points += static_cast<double>(report.inputs[k].curve.points.size());
-    progress.advance(0.5 * static_cast<double>(k + 1));
   }
   require_same_columns(report.inputs[0].curve, report.inputs[1].curve);
   move_near(report.inputs[1].curve.points, report.inputs[0].curve.points, periods);

@@ -2,16 +2,22 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <string_view>
+
+#include "cli/program/terminal.hpp"
 
 namespace lober::cli {
 namespace {
 
 std::atomic<bool> interrupt_seen{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "the handler of a signal may set it");
-bool on_terminal = false;
+
+constexpr std::string_view blanks =
+    "                                                                                                    "
+    "                                                                                                    ";
 
 // Calls nothing but what the handler of a signal may call.
 void say(std::string_view text) {
@@ -20,14 +26,18 @@ void say(std::string_view text) {
 
 void on_interrupt(int) {
   if (interrupt_seen.exchange(true)) std::_Exit(130);
-  if (on_terminal) say("\r\x1b[K");  // over the line of the progress
+  // Over the line of the progress.
+  if (const std::size_t length = std::min(status_line_length(), blanks.size()); length != 0) {
+    say("\r");
+    say(blanks.substr(0, length));
+    say("\r");
+  }
   say("lober: interrupted, ending; a second interrupt ends it at once\n");
 }
 
 }  // namespace
 
 void watch_for_interrupt() {
-  on_terminal = ::isatty(STDERR_FILENO) != 0;
   std::signal(SIGINT, on_interrupt);
 }
 

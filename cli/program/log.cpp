@@ -1,16 +1,17 @@
 #include "cli/program/log.hpp"
 
-#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
 #include <string>
 
 #include "cli/program/option_names.hpp"
+#include "cli/program/terminal.hpp"
 
 namespace lober::cli {
 
 void begin_log(const char* program) {
-  spdlog::set_default_logger(spdlog::stderr_color_mt(program));
+  spdlog::set_default_logger(spdlog::stderr_logger_mt(program));
   spdlog::set_pattern("%n: %v");
   spdlog::set_level(spdlog::level::warn);
 }
@@ -20,13 +21,13 @@ void show_all_messages() {
 }
 
 void log_info(std::string_view message) {
-  spdlog::info("{}", with_option_names(message));
+  write_above_status_line([&] { spdlog::info("{}", with_option_names(message)); });
 }
 void log_warning(std::string_view message) {
-  spdlog::warn("{}", with_option_names(message));
+  write_above_status_line([&] { spdlog::warn("{}", with_option_names(message)); });
 }
 void log_error(std::string_view message) {
-  spdlog::error("{}", with_option_names(message));
+  write_above_status_line([&] { spdlog::error("{}", with_option_names(message)); });
 }
 
 void flush_log() {

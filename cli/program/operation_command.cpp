@@ -15,6 +15,7 @@
 #include "cli/report/curve_file.hpp"
 #include "cli/report/outcome_json.hpp"
 #include "cli/report/outcome_table.hpp"
+#include "cli/report/table.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/base/error.hpp"
 #include "lober/base/threads.hpp"
@@ -24,6 +25,8 @@ namespace lober::cli {
 namespace {
 
 using operations::InputKind;
+
+constexpr double reading_share = 0.2;  // of the whole, where curves are read
 
 // "C1" of "c1".
 std::string argument_name(const operations::InputSpec& input) {
@@ -63,8 +66,11 @@ bool is_closed(InputKind kind, const operations::Options& options) {
 }
 
 OperationInputs read_inputs(const operations::Operation& operation, const OperationRequest& request,
-                            const operations::Options& options) {
+                            const operations::Options& options, Progress& progress) {
   OperationInputs read;
+  const auto files = static_cast<std::size_t>(
+      std::count_if(request.files.begin(), request.files.end(), [](const std::string& path) { return !path.empty(); }));
+  if (files != 0) progress.phase("reading", 0, reading_share);
   Json names = Json::array();
   auto file = request.files.begin();
   for (const operations::InputSpec& spec : operation.inputs) {
@@ -76,6 +82,7 @@ OperationInputs read_inputs(const operations::Operation& operation, const Operat
     }
     const std::string& path = *file++;
     if (path.empty()) continue;
+    progress.file(read.curves.size(), files);
     Curve& curve =
         read.curves.emplace_back(read_curve(path, is_closed(spec.kind, options), {.periods = request.periods})).curve;
     if (read.curves.size() > 1) move_near(curve.points, read.curves.front().curve.points, request.periods);
@@ -108,12 +115,14 @@ void run(const operations::Operation& operation, const OperationRequest& request
   const std::vector<Output> outputs = checked_outputs({{"-o", request.output}, {"--json", request.json}}, named);
   if (!request.output.empty()) (void)curve_format(request.output, request.format, false);
   const operations::Options options = checked_options(operation, request.settings);
-  const OperationInputs read = read_inputs(operation, request, options);
-  const double read_seconds = watch.seconds();
+  OperationInputs read;
+  double read_seconds = 0;
   operations::Outcome outcome;
   {
     Progress progress;
-    progress.phase(operation.name, 0, 1);
+    read = read_inputs(operation, request, options, progress);
+    read_seconds = watch.seconds();
+    progress.phase(command_name(operation), read.curves.empty() ? 0 : reading_share, 1);
     operations::Context context;
     context.progress = told_to(progress);
     try {
@@ -137,7 +146,7 @@ void run(const operations::Operation& operation, const OperationRequest& request
     });
   }
   if (!takes_standard_output(outputs)) {
-    print(agreement_text(outcome.agreement) + outcome_table(operation.result, outcome.value.get()));
+    print_report(agreement_text(outcome.agreement) + outcome_table(operation.result, outcome.value.get()));
   }
   for (const std::string& remark : outcome.remarks) log_warning(remark);
   require_agreement(outcome.agreement);
@@ -185,6 +194,7 @@ void run_operation(const operations::Operation& operation, const std::vector<std
   if (!request.files.empty()) add_periodic_option(parser, request.periods);
   if (curve_of_result(operation) != nullptr) add_points_option(parser, request.output, request.format, false);
   add_json_option(parser, request.json);
+  add_table_option(parser);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return;
   request.settings = options.settings();

@@ -10,6 +10,7 @@
 
 #include "cli/program/command_line.hpp"
 #include "cli/program/help_text.hpp"
+#include "cli/program/running.hpp"
 #include "cli/program/wrapped_text.hpp"
 #include "cli/report/text.hpp"
 #include "engine/base/nearest_word.hpp"
@@ -249,6 +250,8 @@ CommandDescription OptionParser::description() const {
 }
 
 bool OptionParser::parse(const std::vector<std::string>& arguments) {
+  running_ = std::make_unique<RunningOptions>();
+  add_running_options(*this, *running_);
   if (recorded_descriptions != nullptr) {
     recorded_descriptions->push_back(description());
     return false;
@@ -273,6 +276,7 @@ bool OptionParser::parse(const std::vector<std::string>& arguments) {
     const auto& values = option->results();
     if (std::find(values.begin(), values.end(), std::string()) != values.end()) refuse_empty(option->get_name());
   }
+  begin_run(app_->get_name(), *running_);
   return true;
 }
 

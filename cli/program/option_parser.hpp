@@ -19,6 +19,8 @@ class Option;
 
 namespace lober::cli {
 
+struct RunningOptions;
+
 /// One of them, to say more about. A handle: valid as long as its parser.
 class Option {
  public:
@@ -68,7 +70,8 @@ class OptionParser {
   void add_example(const std::string& line, const std::string& meaning);
   [[nodiscard]] std::string command() const;  ///< "lober grow"
 
-  /// Returns false when the arguments asked for help, which is then printed; throws UsageError.
+  /// Adds the options that every command has (running.hpp), parses, and begins the run. Returns false when the
+  /// arguments asked for help, which is then printed; throws UsageError.
   [[nodiscard]] bool parse(const std::vector<std::string>& arguments);
 
  private:
@@ -78,6 +81,7 @@ class OptionParser {
   std::unique_ptr<CLI::App> app_;
   std::vector<CommandExample> examples_;
   std::map<const CLI::Option*, std::vector<std::string>> choices_;
+  std::unique_ptr<RunningOptions> running_;
 };
 
 /// Runs a command whose parsers describe themselves instead of parsing: parse() returns false, as for --help, and

@@ -11,8 +11,11 @@
 #include "cli/program/command_line.hpp"
 #include "cli/program/log.hpp"
 #include "cli/program/progress.hpp"
+#include "cli/report/report.hpp"
 #include "cli/report/text.hpp"
 #include "engine/files/number.hpp"
+#include "lober/curve/files.hpp"
+#include "lober/operations.hpp"
 #include "lober/overlay/interior.hpp"
 #include "lober/overlay/overlay.hpp"
 #include "lober/overlay/regions.hpp"
@@ -220,8 +223,11 @@ void run_published_form(const std::vector<std::string>& arguments) {
 
   Progress progress;
   progress.phase("reading", 0, 0.3);
-  const std::array<NamedCurve, 2> inputs{read_curve(request.curves[0], true, {.hash = false}),
-                                         read_curve(request.curves[1], true, {.hash = false})};
+  std::array<NamedCurve, 2> inputs;
+  for (std::size_t k = 0; k < 2; ++k) {
+    progress.file(k, 2);
+    inputs[k] = read_curve(request.curves[k], true, {.hash = false});
+  }
   require_same_columns(inputs[0].curve, inputs[1].curve);
   progress.of(static_cast<double>(inputs[0].curve.points.size() + inputs[1].curve.points.size()), "points");
   progress.phase(request.light ? "interior" : "overlay", 0.3, 0.8);

@@ -133,14 +133,16 @@ std::string table_of(std::size_t pair, const Tangle& found) {
   std::string text = fmt::format("zone {}: {}, {}", pair, counted(found.pips.size(), "pip", "pips"),
                                  counted(found.lobes.size(), "lobe", "lobes"));
   text += found.boundary ? fmt::format(", bip {}\n", found.boundary->bip) : "\n";
-  if (!found.pips.empty()) text += fmt::format("{:>6} {:>24} {:>24}\n", "pip", "x", "y");
+  const Table pips({{"pip", 6, Align::right, 0}, {"x", 24}, {"y", 24}});
+  if (!found.pips.empty()) text += pips.head();
   for (std::size_t k = 0; k < found.pips.size(); ++k) {
-    text += fmt::format("{:>6} {:>24} {:>24}\n", k, found.pips[k].at.x, found.pips[k].at.y);
+    text += pips.row({std::to_string(k), fmt::format("{}", found.pips[k].at.x), fmt::format("{}", found.pips[k].at.y)});
   }
-  if (!found.lobes.empty()) text += fmt::format("{:>6} {:>24} {:>10}\n", "lobe", "signed area", "+-");
+  const Table lobes({{"lobe", 6, Align::right, 0}, {"signed area", 24}, {"+-", 10}});
+  if (!found.lobes.empty()) text += lobes.head();
   for (std::size_t k = 0; k < found.lobes.size(); ++k) {
     const double area = found.lobes[k].area;
-    text += fmt::format("{:>6} {:>24} {:>10.1e}\n", k, area, found.rounding(area));
+    text += lobes.row({std::to_string(k), fmt::format("{}", area), fmt::format("{:.1e}", found.rounding(area))});
   }
   return text;
 }
@@ -215,7 +217,11 @@ void run_published_tangle(const std::vector<std::string>& arguments) {
   require_earlier_results(request);
   Progress progress;
   progress.phase("reading", 0, 0.3);
-  const std::array<std::vector<NamedCurve>, 2> manifolds{read_zones(request, 0), read_zones(request, 1)};
+  std::array<std::vector<NamedCurve>, 2> manifolds;
+  for (std::size_t k = 0; k < 2; ++k) {
+    progress.file(k, 2);
+    manifolds[k] = read_zones(request, k);
+  }
   PublishedZones zones;
   TangleOptions options;
   options.bip = request.bip;

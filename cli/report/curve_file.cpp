@@ -1,6 +1,7 @@
 #include "cli/report/curve_file.hpp"
 
 #include "cli/program/output_names.hpp"
+#include "cli/program/written_files.hpp"
 #include "cli/report/report.hpp"
 #include "lober/base/version.hpp"
 #include "lober/curve/formats.hpp"
@@ -32,6 +33,9 @@ void write_curve_file(const std::string& path, std::span<const Zone> zones, cons
                 .closed = options.closed,
                 .zone_lines = options.zone_lines,
                 .provenance = path == "-" ? decltype(options.notes){} : options.notes});  // a stream is not kept
+  std::size_t points = 0;
+  for (const Zone& zone : zones) points += zone.points.size();
+  note_curves_written(path, zones.size(), points);
 }
 
 void write_curve_file(const std::string& path, std::span<const Point> points, const CurveFileOptions& options) {

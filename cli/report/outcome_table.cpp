@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "cli/report/table.hpp"
+
 namespace lober::cli {
 namespace {
 
@@ -56,22 +58,20 @@ bool is_column(const Field& field) {
 
 using Row = std::vector<std::string>;
 
-// Right-aligned, as wide as the widest cell.
-std::string aligned(const std::vector<Row>& rows) {
-  std::vector<std::size_t> widths;
-  for (const Row& row : rows) {
-    widths.resize(std::max(widths.size(), row.size()));
-    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
+// Columns as wide as the widest cell.
+std::string table_of(std::vector<Column> columns, const std::vector<Row>& rows) {
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    columns[k].width = columns[k].name.size();
+    columns[k].gap = 2;
+    for (const Row& row : rows) columns[k].width = std::max(columns[k].width, row[k].size());
   }
-  std::string text;
-  for (const Row& row : rows) {
-    for (std::size_t k = 0; k < row.size(); ++k) text += fmt::format("  {:>{}}", row[k], widths[k]);
-    text += '\n';
-  }
+  const Table table(std::move(columns));
+  std::string text = table.head();
+  for (const Row& row : rows) text += table.row(row);
   return text;
 }
 
-class Table {
+class OutcomeText {
  public:
   void add(std::span<const Field> fields, const void* whole, const std::string& prefix) {
     for (const Field& field : fields) {
@@ -91,6 +91,7 @@ class Table {
       name = std::max(name, line.name.size());
       value = std::max(value, std::min<std::size_t>(line.value.size(), 24));
     }
+    if (table_format() == TableFormat::markdown) return markdown_lines() + lists_;
     std::string all;
     for (const Line& line : lines_) {
       std::string written = fmt::format("{:<{}}  {:>{}}", line.name, name, line.value, value);
@@ -106,6 +107,15 @@ class Table {
     std::string name, value, bar, unit;
   };
 
+  // Aligned lines have no names of columns; a table of Markdown has.
+  [[nodiscard]] std::string markdown_lines() const {
+    if (lines_.empty()) return {};
+    const Table table({{"", 0, Align::left}, {"value"}, {"+-"}, {"unit", 0, Align::left}});
+    std::string text = table.head();
+    for (const Line& line : lines_) text += table.row({line.name, line.value, line.bar, line.unit});
+    return text;
+  }
+
   void add_line(const Field& field, const void* whole, const std::string& name) {
     const FieldValue value = field.get(whole);
     if (std::holds_alternative<std::monostate>(value) && !field.null) return;
@@ -117,11 +127,12 @@ class Table {
     if (!all.known) return;
     lines_.push_back({name, std::to_string(all.size), "", ""});
     if (all.size == 0) return;
-    std::vector<Row> rows(1);
+    std::vector<Row> rows;
+    std::vector<Column> columns;
     for (const Field& member : field.members) {
       if (!is_column(member)) continue;
-      rows[0].push_back(member.name);
-      if (!member.bar.empty()) rows[0].emplace_back("+-");
+      columns.push_back({.name = member.name, .unit = member.unit});
+      if (!member.bar.empty()) columns.push_back({.name = "+-", .unit = member.unit});
     }
     for (std::size_t k = 0; k < std::min(all.size, rows_shown); ++k) {
       all.at(k, [&](const void* element) {
@@ -134,7 +145,7 @@ class Table {
         }
       });
     }
-    lists_ += '\n' + name + '\n' + aligned(rows);
+    lists_ += '\n' + name + '\n' + table_of(std::move(columns), rows);
     if (all.size > rows_shown) lists_ += fmt::format("  and {} more (--json has all)\n", all.size - rows_shown);
   }
 
@@ -145,9 +156,9 @@ class Table {
 }  // namespace
 
 std::string outcome_table(std::span<const Field> fields, const void* whole) {
-  Table table;
-  table.add(fields, whole, "");
-  return table.text();
+  OutcomeText text;
+  text.add(fields, whole, "");
+  return text.text();
 }
 
 }  // namespace lober::cli

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/program/log.hpp"
+#include "cli/program/running.hpp"
 #include "cli/report/report.hpp"
 
 namespace lober::cli {
@@ -25,29 +25,31 @@ void add_windings(std::string& text, const Regions& regions) {
   constexpr std::size_t most = 20;
   const RegionCounts& counts = regions.counts();
   text += fmt::format("\n{}, {}\n", counted(counts.nodes, "node", "nodes"), counted(counts.faces, "face", "faces"));
-  text += fmt::format("\n{:>8} {:>8} {:>23}\n", "C1 winds", "C2 winds", "area");
+  const Table table({{"C1 winds", 8, Align::right, 0}, {"C2 winds", 8}, {"area", 23}});
+  text += "\n" + table.head();
   const std::size_t size = regions.table().size();
   for (const WindingArea& entry : regions.table().first(std::min(most, size))) {
-    text += fmt::format("{:>8} {:>8} {:>23.16g}\n", entry.w1, entry.w2, entry.area);
+    text += table.row({std::to_string(entry.w1), std::to_string(entry.w2), fmt::format("{:.16g}", entry.area)});
   }
   if (size > most) text += fmt::format("{:>8} and {} more pairs\n", "...", size - most);
 }
 
 void add_areas(std::string& text, const Regions& regions, FillRule rule) {
-  text += fmt::format("\n{:<16} {:>23}  {:>10}\n", std::string(name(rule)) + " area of", "", "+- rounding");
+  const Table table = areas_table(std::string(name(rule)) + " area of", "");
+  text += "\n" + table.head();
   const Areas areas = regions.areas(rule), bounds = regions.rounding(rule);
-  for (const NamedArea& area : named_areas) {
-    text += fmt::format("{:<16} {:>23.16g}  {:>11.1e}\n", area.label, areas.*area.member, bounds.*area.member);
-  }
+  for (const NamedArea& area : named_areas) text += table.row(area_cells(area, areas, bounds));
 }
 
 void add_pieces(std::string& text, const RegionPieces& pieces, const char* label) {
   text += fmt::format("\n{}: {}\n", label, pieces.size() == 0 ? "no lobe" : counted(pieces.size(), "lobe", "lobes"));
   if (pieces.size() == 0) return;
-  text += fmt::format("{:>8} {:>23} {:>6}\n", "lobe", "area", "holes");
+  const Table table({{"lobe", 8, Align::right, 0}, {"area", 23}, {"holes", 6}});
+  text += table.head();
   const std::vector<std::uint32_t> order = largest(pieces.areas());
   for (const std::uint32_t number : order) {
-    text += fmt::format("{:>8} {:>23.16g} {:>6}\n", number, pieces[number].area, pieces[number].holes);
+    text += table.row(
+        {std::to_string(number), fmt::format("{:.16g}", pieces[number].area), std::to_string(pieces[number].holes)});
   }
   if (pieces.size() > order.size()) text += fmt::format("{:>8} and {} more\n", "...", pieces.size() - order.size());
 }
@@ -76,13 +78,15 @@ void write_regions_json(const std::string& path, std::string_view command, Curve
       seconds_so_far);
 }
 
-void log_regions_timing(const CurvesReport& report, double total) {
+void report_regions_timing(const CurvesReport& report) {
   const RegionTiming& timing = report.outcome.as<CurveRegions>().regions.timing();
-  log_info(fmt::format(
-      "seconds: read {:.4f}, index {:.4f}, search {:.4f}, nodes {:.4f}, graph {:.4f}, faces {:.4f}, write {:.4f}, "
-      "total {:.4f}",
-      report.read_seconds, report.index_seconds, timing.search, timing.nodes, timing.graph, timing.faces,
-      report.write_seconds, total));
+  report_seconds({{"read", report.read_seconds},
+                  {"index", report.index_seconds},
+                  {"search", timing.search},
+                  {"nodes", timing.nodes},
+                  {"graph", timing.graph},
+                  {"faces", timing.faces},
+                  {"write", report.write_seconds}});
 }
 
 }  // namespace lober::cli

@@ -15,6 +15,7 @@ namespace lober::cli {
 /// The JSON object of a command (docs/conventions.md, section 13).
 void write_regions_json(const std::string& path, std::string_view command, CurvesReport& report,
                         const std::function<double()>& seconds_so_far);
-void log_regions_timing(const CurvesReport& report, double total);
+/// The seconds of parts, for --verbose.
+void report_regions_timing(const CurvesReport& report);
 
 }  // namespace lober::cli

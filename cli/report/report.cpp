@@ -13,6 +13,14 @@ std::string spec_of(const NamedCurve& input) {
   return input.file + "#" + (input.group.empty() ? std::to_string(input.zone) : input.group);
 }
 
+Table areas_table(const std::string& of, const std::string& what) {
+  return Table({{of, 16, Align::left, 0}, {what, 23}, {"+- rounding", 11, Align::right, 2}});
+}
+
+std::vector<std::string> area_cells(const NamedArea& area, const Areas& areas, const Areas& rounding) {
+  return {area.label, fmt::format("{:.16g}", areas.*area.member), fmt::format("{:.1e}", rounding.*area.member)};
+}
+
 std::string counted(std::size_t count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/report/table.hpp"
 #include "lober/curve/curve.hpp"
 #include "lober/curve/files.hpp"
 #include "lober/overlay/areas.hpp"
@@ -30,6 +31,10 @@ inline constexpr std::array<NamedArea, 7> named_areas{{
     {"c2_minus_c1", "C2 \\ C1", &Areas::c2_minus_c1},
     {"symmetric_difference", "either, not both", &Areas::symmetric_difference},
 }};
+
+/// The first columns of a table of areas: the names of the areas, the areas, and the bounds of their rounding.
+[[nodiscard]] Table areas_table(const std::string& of, const std::string& what);
+[[nodiscard]] std::vector<std::string> area_cells(const NamedArea& area, const Areas& areas, const Areas& rounding);
 
 /// "12 crossings, 1 touch, 0 shared arcs", or that the curves are one and the same.
 [[nodiscard]] std::string meetings_text(const Crossings& nodes);

@@ -40,14 +40,26 @@ std::string turnstile_text(const ManifoldTangle& manifolds) {
   std::string text = fmt::format("pips       {} from ({:.12g}, {:.12g}) to the bip ({:.12g}, {:.12g})\n",
                                  counted(manifolds.period(), "lobe", "lobes"), first.x, first.y, bip.x, bip.y);
   const bool with_action = !manifolds.areas_by_action.empty();
-  text += fmt::format("\n{:>6}  {:<7}{:>21} {:>9}", "lobe", "label", "area by geometry", "+-");
-  text += with_action ? fmt::format("{:>22} {:>9} {:>11}\n", "area by action", "+-", "difference") : "\n";
+  Table table({{"lobe", 6, Align::right, 0},
+               {"label", 7, Align::left, 2},
+               {"area by geometry", 21, Align::right, 0},
+               {"+-", 9}});
+  if (with_action) {
+    table.add({"area by action", 22, Align::right, 0});
+    table.add({"+-", 9});
+    table.add({"difference", 11});
+  }
+  text += "\n" + table.head();
   for (const TurnstileLobe& lobe : turnstile_lobes(manifolds)) {
-    text += fmt::format("{:>6}  {:<7}{:>21.15g} {:>9.1e}", lobe.number,
-                        lober::text(manifolds.tangle.images.labels[lobe.number]), lobe.area, lobe.error);
-    text += with_action
-                ? fmt::format("{:>22.15g} {:>9.1e} {:>11.1e}\n", lobe.action, lobe.action_error, lobe.difference)
-                : "\n";
+    std::vector<std::string> cells{std::to_string(lobe.number),
+                                   lober::text(manifolds.tangle.images.labels[lobe.number]),
+                                   fmt::format("{:.15g}", lobe.area), fmt::format("{:.1e}", lobe.error)};
+    if (with_action) {
+      cells.push_back(fmt::format("{:.15g}", lobe.action));
+      cells.push_back(fmt::format("{:.1e}", lobe.action_error));
+      cells.push_back(fmt::format("{:.1e}", lobe.difference));
+    }
+    text += table.row(cells);
   }
   if (!with_action) text += "        (no area by action: the map does not preserve area, or its action is not known)\n";
   return text;

@@ -13,6 +13,7 @@
 #include "cli/program/command_line.hpp"
 #include "cli/program/log.hpp"
 #include "cli/program/progress.hpp"
+#include "cli/program/running.hpp"
 #include "cli/program/system_options.hpp"
 #include "cli/program/table_options.hpp"
 #include "cli/report/agreement_report.hpp"
@@ -33,7 +34,6 @@ struct TangleRequest {
   TangleOutputs outputs;
   std::vector<operations::OptionSetting> settings;
   int threads = 0;
-  bool verbose = false;
 };
 
 template <typename Number>
@@ -83,7 +83,6 @@ std::optional<TangleRequest> parse_tangle(const std::vector<std::string>& argume
   add_periodic_option(parser, request.periods);
   add_reverse_option(parser, request.reverse);
   add_threads_option(parser, request.threads);
-  add_verbose_option(parser, request.verbose);
   if (!parser.parse(arguments)) return std::nullopt;
   request.settings = options.settings();
   if (!bip.empty()) request.settings.push_back(bip_of(bip));
@@ -114,12 +113,12 @@ void read_inputs(const TangleRequest& request, Progress& progress, TangleReport&
     specs = {specs[0] + "#0", specs[0] + "#1"};
   }
   for (std::size_t k = 0; k < 2; ++k) {
+    progress.file(k, 2);
     report.inputs[k] = read_manifold(specs[k], request.reverse[k], request.periods);
     if (one_file && report.inputs[k].zones != 2) {
       throw DataError(request.curves[0] + ": has " + counted(report.inputs[k].zones, "zone", "zones") +
                       "; alone it has to have two, U and S");
     }
-    progress.advance(0.5 * static_cast<double>(k + 1));
   }
   move_near(report.inputs[1].curve.points, report.inputs[0].curve.points, request.periods);
   require_same_columns(report.inputs[0].curve, report.inputs[1].curve);
@@ -163,11 +162,16 @@ void run(const TangleRequest& request) {
   print_tangle(request.outputs, report);
   const operations::CurveTangle& found = report.result();
   const TangleTiming& timing = found.timing;
-  log_info(fmt::format(
-      "seconds: read {:.4f}, index {:.4f}, check {:.4f}, crossings {:.4f}, order {:.4f}, pips {:.4f}, areas {:.4f}, "
-      "measures {:.4f}, overlaps {:.4f}, write {:.4f}, total {:.4f}",
-      report.read_seconds, timing.index, timing.check, timing.crossings, timing.order, timing.pips, timing.areas,
-      found.measures_seconds, found.overlaps_seconds, report.write_seconds, watch.seconds()));
+  report_seconds({{"read", report.read_seconds},
+                  {"index", timing.index},
+                  {"check", timing.check},
+                  {"crossings", timing.crossings},
+                  {"order", timing.order},
+                  {"pips", timing.pips},
+                  {"areas", timing.areas},
+                  {"measures", found.measures_seconds},
+                  {"overlaps", found.overlaps_seconds},
+                  {"write", report.write_seconds}});
   require_agreement(report.outcome.agreement);
 }
 
@@ -177,7 +181,6 @@ void run_tangle(const std::vector<std::string>& arguments) {
   if (names_system(arguments)) return run_system_tangle(arguments);
   const std::optional<TangleRequest> request = parse_tangle(arguments);
   if (!request) return;
-  if (request->verbose) show_all_messages();
   run_with_threads(request->threads, [&] { run(*request); });
 }
 

@@ -1,5 +1,6 @@
 #include "cli/tangle/tangle_outputs.hpp"
 
+#include "cli/report/table.hpp"
 #include "cli/view/page_output.hpp"
 #include "engine/base/stopwatch.hpp"
 
@@ -30,6 +31,7 @@ void TangleOutputs::add_options(OptionParser& parser) {
   add_window_option(parser, window, picture);
   add_html_option(parser, html);
   add_format_option(parser, format);
+  add_table_option(parser);
 }
 
 std::vector<Output> TangleOutputs::files() const {
@@ -62,7 +64,7 @@ void write_tangle(const TangleOutputs& outputs, TangleReport& report, const std:
 }
 
 void print_tangle(const TangleOutputs& outputs, const TangleReport& report) {
-  if (!takes_standard_output(outputs.files())) print(tangle_table(report));
+  if (!takes_standard_output(outputs.files())) print_report(tangle_table(report));
 }
 
 }  // namespace lober::cli

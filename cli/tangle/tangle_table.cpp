@@ -73,20 +73,27 @@ void add_lobes(std::string& text, const TangleReport& report) {
   const operations::CurveTangle& result = report.result();
   const std::size_t count = result.lobes.size();
   if (count == 0) return;
-  text += fmt::format("\n{:>6}  {:<8} {:>23} {:>12} {:>12} {:>11} {:>11}\n", "lobe", "label", "signed area", "inside",
-                      "outside", "perimeter", "width");
+  const Table table({{"lobe", 6, Align::right, 0},
+                     {"label", 8, Align::left, 2},
+                     {"signed area", 23},
+                     {"inside", 12},
+                     {"outside", 12},
+                     {"perimeter", 11},
+                     {"width", 11}});
+  text += "\n" + table.head();
   const std::size_t bip = result.boundary->bip, most = std::min(max_table_lobes, count);
   const std::size_t first = std::min(bip > most / 2 ? bip - most / 2 : 0, count - most);
-  if (first > 0) text += fmt::format("{:>6}  {} before\n", "...", first);
+  if (first > 0) text += table.row({"..."}, fmt::format("  {} before", first));
   for (std::size_t k = first; k < first + most; ++k) {
     const Lobe& lobe = result.lobes[k];
     const LobeShape& shape = result.shapes[k];
     const std::string label = lober::text(result.images.labels[k]);
-    text += fmt::format("{:>6}  {:<8} {:>23.16g} {:>12.6g} {:>12.6g} {:>11.5g} {:>11.5g}{}\n", k,
-                        label.empty() ? "-" : label, lobe.area, lobe.inside, lobe.outside, shape.perimeter, shape.width,
-                        lobe.simple ? "" : "  not simple");
+    text += table.row({std::to_string(k), label.empty() ? "-" : label, fmt::format("{:.16g}", lobe.area),
+                       fmt::format("{:.6g}", lobe.inside), fmt::format("{:.6g}", lobe.outside),
+                       fmt::format("{:.5g}", shape.perimeter), fmt::format("{:.5g}", shape.width)},
+                      lobe.simple ? "" : "  not simple");
   }
-  if (first + most < count) text += fmt::format("{:>6}  {} more\n", "...", count - first - most);
+  if (first + most < count) text += table.row({"..."}, fmt::format("  {} more", count - first - most));
   const auto worst = [&](const char* of) {
     return operations::NumberPath(report.operation().result, of).first(report.outcome.value.get());
   };
@@ -100,12 +107,14 @@ void add_overlaps(std::string& text, const TangleReport& report) {
   const std::vector<LobeOverlap>& all = *report.result().overlaps;
   text += fmt::format("\n{} of lobes overlap\n", counted(all.size(), "pair", "pairs"));
   if (all.empty()) return;
-  text += fmt::format("{:>6} {:>6} {:>23}\n", "lobe", "lobe", "area");
+  const Table table({{"lobe", 6, Align::right, 0}, {"lobe", 6}, {"area", 23}});
+  text += table.head();
   std::vector<double> areas;
   for (const LobeOverlap& both : all) areas.push_back(both.area);
   const std::vector<std::uint32_t> order = largest(areas);
   for (const std::uint32_t number : order) {
-    text += fmt::format("{:>6} {:>6} {:>23.16g}\n", all[number].i, all[number].j, all[number].area);
+    text += table.row(
+        {std::to_string(all[number].i), std::to_string(all[number].j), fmt::format("{:.16g}", all[number].area)});
   }
   if (all.size() > order.size()) text += fmt::format("{:>6} and {} more\n", "...", all.size() - order.size());
 }

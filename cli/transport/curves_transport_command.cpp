@@ -10,6 +10,7 @@
 #include "cli/program/table_options.hpp"
 #include "cli/report/agreement_report.hpp"
 #include "cli/report/outcome_json.hpp"
+#include "cli/report/table.hpp"
 #include "cli/tangle/tangle_report.hpp"
 #include "cli/transport/transport_report.hpp"
 #include "engine/base/stopwatch.hpp"
@@ -45,7 +46,10 @@ void run(const CurvesTransportRequest& request) {
   {
     Progress progress;
     progress.phase("reading", 0, 0.3);
-    report.inputs = {read_manifold(specs[0], request.reverse[0]), read_manifold(specs[1], request.reverse[1])};
+    for (std::size_t k = 0; k < 2; ++k) {
+      progress.file(k, 2);
+      report.inputs[k] = read_manifold(specs[k], request.reverse[k]);
+    }
     if (request.files.size() == 1 && report.inputs[0].zones != 2) {
       throw DataError(request.files[0] + ": has " + counted(report.inputs[0].zones, "zone", "zones") +
                       "; alone it has to have two, U and S");
@@ -65,7 +69,7 @@ void run(const CurvesTransportRequest& request) {
       });
     }
   }
-  if (!takes_standard_output(outputs)) print(transport_table(report));
+  if (!takes_standard_output(outputs)) print_report(transport_table(report));
   require_agreement(report.outcome.agreement);
 }
 
@@ -101,6 +105,7 @@ void run_curves_transport(const std::vector<std::string>& arguments) {
                           .value("X,Y");
   add_reverse_option(parser, request.reverse);
   add_json_option(parser, request.json);
+  add_table_option(parser);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return;
   request.settings = options.settings();

@@ -12,17 +12,36 @@
 #include "cli/program/system_options.hpp"
 #include "cli/report/plot.hpp"
 #include "cli/report/svg.hpp"
+#include "cli/report/table.hpp"
 
 namespace lober::cli {
 namespace {
 
-std::string fixed_text(const SweepReport& report) {
+std::string fixed_text(const SystemInfo& system, const std::string& varied) {
   System fixed;
-  fixed.info.name = report.system.name;
-  for (const Parameter& parameter : report.system.parameters) {
-    if (parameter.name != report.result().parameter) fixed.info.parameters.push_back(parameter);
+  fixed.info.name = system.name;
+  for (const Parameter& parameter : system.parameters) {
+    if (parameter.name != varied) fixed.info.parameters.push_back(parameter);
   }
   return system_text(fixed);
+}
+std::string fixed_text(const SweepReport& report) {
+  return fixed_text(report.system, report.result().parameter);
+}
+
+Table table_of(const operations::SystemSweep& sweep) {
+  Table table({{sweep.parameter, 10, Align::right, 0},
+               {"multiplier", 16},
+               {"saddle x", 15},
+               {"lobes", 7},
+               {"flux a21(1)", 18},
+               {"+-", 8},
+               {"lobes by geometry", 18},
+               {"lobes by action", 18},
+               {"W(q) - W(q')", 18},
+               {"worst lobe", 10}});
+  if (sweep.first_order) table.add({"first order", 18});
+  return table;
 }
 
 // The remarks of rows, each once, with the first value that has it.
@@ -77,30 +96,40 @@ std::string bip_text(const SweepReport& report) {
 
 }  // namespace
 
-std::string sweep_table(const SweepReport& report) {
-  std::string text = fixed_text(report) + "\n\n";
-  text += fmt::format("{:>10} {:>16} {:>15} {:>7} {:>18} {:>8} {:>18} {:>18} {:>18} {:>10}", report.result().parameter,
-                      "multiplier", "saddle x", "lobes", "flux a21(1)", "+-", "lobes by geometry", "lobes by action",
-                      "W(q) - W(q')", "worst lobe");
-  text += report.result().first_order ? fmt::format(" {:>18}\n", "first order") : std::string("\n");
-  for (std::size_t k = 0; k < report.result().rows.size(); ++k) {
-    const SweepRow& row = report.result().rows[k];
-    if (!row.failure.empty()) {
-      text += fmt::format("{:>10.6g} failed: {}\n", row.value, with_option_names(row.failure));
-      continue;
-    }
-    const bool flux = row.remark.empty();
-    text += fmt::format("{:>10.6g} {:>16.10g} {:>15.10g} {:>7} {:>18} {:>8} {:>18.13g} {:>18.13g} {:>18.13g} {:>10.1e}",
-                        row.value, row.multiplier, row.from.x, row.period,
-                        flux ? fmt::format("{:.13g}", row.flux21.value) : "-",
-                        flux ? fmt::format("{:.1e}", row.flux21.error) : "-", row.lobe_area21.value,
-                        row.lobe_area21_by_action, row.difference, largest_difference(row));
-    const bool estimate = report.result().first_order && !std::isnan((*report.result().first_order)[k]);
-    if (report.result().first_order)
-      text += fmt::format(" {:>18}", estimate ? fmt::format("{:.13g}", (*report.result().first_order)[k]) : "-");
-    text += "\n";
+std::string sweep_head(const SystemInfo& system, const operations::SystemSweep& sweep) {
+  return fixed_text(system, sweep.parameter) + "\n\n" + table_of(sweep).head();
+}
+
+std::string sweep_row(const operations::SystemSweep& sweep, std::size_t k) {
+  const SweepRow& row = sweep.rows[k];
+  const std::string value = fmt::format("{:.6g}", row.value);
+  if (!row.failure.empty()) return table_of(sweep).row({value}, " failed: " + with_option_names(row.failure));
+  const bool flux = row.remark.empty();
+  std::vector<std::string> cells{value,
+                                 fmt::format("{:.10g}", row.multiplier),
+                                 fmt::format("{:.10g}", row.from.x),
+                                 std::to_string(row.period),
+                                 flux ? fmt::format("{:.13g}", row.flux21.value) : "-",
+                                 flux ? fmt::format("{:.1e}", row.flux21.error) : "-",
+                                 fmt::format("{:.13g}", row.lobe_area21.value),
+                                 fmt::format("{:.13g}", row.lobe_area21_by_action),
+                                 fmt::format("{:.13g}", row.difference),
+                                 fmt::format("{:.1e}", largest_difference(row))};
+  if (sweep.first_order) {
+    const double estimate = (*sweep.first_order)[k];
+    cells.push_back(std::isnan(estimate) ? "-" : fmt::format("{:.13g}", estimate));
   }
-  text += bip_text(report);
+  return table_of(sweep).row(cells);
+}
+
+std::string sweep_table(const SweepReport& report) {
+  std::string text = sweep_head(report.system, report.result());
+  for (std::size_t k = 0; k < report.result().rows.size(); ++k) text += sweep_row(report.result(), k);
+  return text + sweep_summary(report);
+}
+
+std::string sweep_summary(const SweepReport& report) {
+  std::string text = bip_text(report);
   text += remarks_text(report);
   text += breaks_text(report);
   for (const SweepZero& zero : report.result().zeros) {

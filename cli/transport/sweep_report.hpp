@@ -14,7 +14,14 @@ struct SweepReport {
   [[nodiscard]] const operations::SystemSweep& result() const { return outcome.as<operations::SystemSweep>(); }
 };
 
+/// The table for people; and its parts, for rows that are printed as they are ready.
 [[nodiscard]] std::string sweep_table(const SweepReport& report);
+/// The system, and the names of the columns.
+[[nodiscard]] std::string sweep_head(const SystemInfo& system, const operations::SystemSweep& sweep);
+[[nodiscard]] std::string sweep_row(const operations::SystemSweep& sweep, std::size_t k);
+/// The lines behind the rows.
+[[nodiscard]] std::string sweep_summary(const SweepReport& report);
+
 void write_sweep_curve(const std::string& path, const SweepReport& report);
 
 }  // namespace lober::cli

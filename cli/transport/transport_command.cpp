@@ -3,18 +3,17 @@
 
 #include "cli/transport/transport_command.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdio>
 
 #include "cli/program/command_line.hpp"
 #include "cli/program/log.hpp"
 #include "cli/program/progress.hpp"
 #include "cli/program/table_options.hpp"
+#include "cli/program/terminal.hpp"
 #include "cli/report/agreement_report.hpp"
 #include "cli/report/outcome_json.hpp"
 #include "cli/report/svg.hpp"
+#include "cli/report/table.hpp"
 #include "cli/transport/curves_transport_command.hpp"
 #include "cli/transport/sweep_report.hpp"
 #include "cli/transport/transport_report.hpp"
@@ -41,26 +40,37 @@ std::vector<Output> outputs_of(const TransportRequest& request) {
       files_of_system(request.system.name));
 }
 
-// Rows as they come: on a terminal each is shown at once, above the line of progress, and an interrupt keeps them. The
-// table comes in the end, since a disagreement has to be its first line.
+// Rows as they come, which an interrupt keeps. On a terminal each is printed at once, before what is said about the
+// manifolds, which goes on changing until the last row; elsewhere the table comes in the end, where a disagreement is
+// the first line.
 class Rows {
  public:
-  Rows(int iterates, Progress& progress) : iterates_(iterates), progress_(progress) {}
+  Rows(std::string system, int iterates, bool print_at_once)
+      : system_(std::move(system)), iterates_(iterates), print_at_once_(print_at_once) {}
 
   void add(const TransportStep& step, const Agreement& agreement) {
     steps_.push_back(step);
+    if (print_at_once_ && agreement_.agrees()) print_report(agreement_text(agreement));
     agreement_ = agreement;
-    if (isatty(STDERR_FILENO) == 0) return;
-    progress_.above([&] { std::fputs(transport_row_text(step).c_str(), stderr); });
+    if (!print_at_once_) return;
+    if (steps_.size() == 1) print_report(system_ + "\n" + transport_rows_head(false));
+    print_report(transport_row(step));
   }
-  void print_interrupted(bool to_standard_output) const {
-    if (steps_.empty() || !to_standard_output) return;
-    print(interrupted_transport_table(steps_, agreement_, iterates_));
+  void print_rest(const TransportReport& report) const {
+    const operations::SystemTransport& result = report.result();
+    if (agreement_.agrees()) print_report(agreement_text(result.agreement));
+    print_report(transport_matrix(result.steps) + "\n" + transport_heading(report) + transport_remarks(report));
+  }
+  void print_interrupted() const {
+    if (steps_.empty()) return;
+    print_report(print_at_once_ ? transport_interruption(steps_.size(), iterates_)
+                                : interrupted_transport_table(steps_, agreement_, iterates_));
   }
 
  private:
+  std::string system_;
   int iterates_;
-  Progress& progress_;
+  bool print_at_once_;
   std::vector<TransportStep> steps_;
   Agreement agreement_;
 };
@@ -73,10 +83,13 @@ void run_one(const TransportRequest& request) {
   const operations::SystemInput input = system_input_of(request.system);
   TransportReport report;
   report.system = *input.system;
+  const bool prints = !takes_standard_output(outputs);
+  // Particles add columns to the rows when all are there.
+  const bool print_at_once = prints && is_output_terminal() && options.whole("particles") == 0;
+  Rows rows(system_text(report.system), static_cast<int>(options.whole("iterates")), print_at_once);
   {
     Progress progress;
     progress.phase("transport", 0, 0.9);
-    Rows rows(static_cast<int>(options.whole("iterates")), progress);
     operations::Context context;
     context.progress = told_to(progress);
     context.on_element = [&](const operations::Field&, const void* element, const Agreement& agreement) {
@@ -86,7 +99,7 @@ void run_one(const TransportRequest& request) {
     try {
       report.outcome = operation.run(std::array<operations::Input, 1>{input}, options, context);
     } catch (const Cancelled&) {
-      rows.print_interrupted(!takes_standard_output(outputs));
+      if (prints) rows.print_interrupted();
       throw;
     }
     report.timing.transport = transport_watch.seconds();
@@ -106,7 +119,11 @@ void run_one(const TransportRequest& request) {
                          });
     }
   }
-  if (!takes_standard_output(outputs)) print(transport_table(report));
+  if (print_at_once) {
+    rows.print_rest(report);
+  } else if (prints) {
+    print_report(transport_table(report));
+  }
   require_agreement(report.outcome.agreement);
 }
 
@@ -131,11 +148,21 @@ void run_sweep(const TransportRequest& request) {
   const operations::SystemInput input = system_input_of(request.system);
   SweepReport report;
   report.system = input.system->info;
+  const bool prints = !takes_standard_output(outputs);
+  // Melnikov's function adds a column to the rows when all are there.
+  const bool print_at_once = prints && is_output_terminal() && !options.flag("melnikov");
   {
     Progress progress;
     progress.phase("sweep", 0, 0.95);
     operations::Context context;
     context.progress = told_to(progress);
+    if (print_at_once) {
+      context.on_part = [&](const void* part) {
+        const auto& so_far = *static_cast<const operations::SystemSweep*>(part);
+        const std::size_t last = so_far.rows.size() - 1;
+        print_report((last == 0 ? sweep_head(report.system, so_far) : "") + sweep_row(so_far, last));
+      };
+    }
     report.outcome = operation.run(std::array<operations::Input, 1>{input}, options, context);
     for (const std::string& remark : report.outcome.remarks) log_warning(remark);
     if (!request.svg.empty()) write_sweep_curve(request.svg, report);
@@ -147,7 +174,7 @@ void run_sweep(const TransportRequest& request) {
       });
     }
   }
-  if (!takes_standard_output(outputs)) print(sweep_table(report));
+  if (prints) print_report(print_at_once ? sweep_summary(report) : sweep_table(report));
   if (!report.outcome.failed.empty()) throw DataError(report.outcome.failed);
 }
 
@@ -192,6 +219,7 @@ void run_transport(const std::vector<std::string>& arguments) {
           .excludes(sweep_option);
   add_window_option(parser, request.window, picture);
   add_html_option(parser, request.html).excludes(sweep_option);
+  add_table_option(parser);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return;
   request.settings = options.settings();

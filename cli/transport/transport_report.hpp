@@ -38,8 +38,17 @@ struct CurvesTransportReport {
 [[nodiscard]] std::string transport_table(const TransportReport& report);
 [[nodiscard]] std::string transport_table(const CurvesTransportReport& report);
 
-/// One line for a row that is ready before the others.
-[[nodiscard]] std::string transport_row_text(const TransportStep& step);
+// Its parts, for a terminal, where the rows come first, as they are ready.
+/// Manifolds, turnstiles and regions.
+[[nodiscard]] std::string transport_heading(const TransportReport& report);
+/// The rows between the first two regions.
+[[nodiscard]] std::string transport_rows_head(bool particles);
+[[nodiscard]] std::string transport_row(const TransportStep& step);
+[[nodiscard]] std::string transport_interruption(std::size_t rows, int iterates);
+/// T between all regions, where there are more than two.
+[[nodiscard]] std::string transport_matrix(std::span<const TransportStep> steps);
+[[nodiscard]] std::string transport_remarks(const TransportReport& report);
+
 /// The table when the command is interrupted: at least one row.
 [[nodiscard]] std::string interrupted_transport_table(std::span<const TransportStep> steps, const Agreement& agreement,
                                                       int iterates);

@@ -11,6 +11,7 @@
 #include "cli/report/agreement_report.hpp"
 #include "cli/report/report.hpp"
 #include "cli/report/svg.hpp"
+#include "cli/report/table.hpp"
 #include "cli/winding/winding_report.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/base/threads.hpp"
@@ -73,6 +74,7 @@ void add_options(OptionParser& parser, WindingRequest& request) {
       .value("FILE")
       .needs(grid);
   add_json_option(parser, request.json);
+  add_table_option(parser);
   add_threads_option(parser, request.threads);
 }
 
@@ -111,6 +113,7 @@ WindingReport compute(const WindingRequest& request, Progress& progress) {
   WindingReport report;
   progress.phase("reading", 0, 0.2);
   const detail::Stopwatch read_watch;
+  progress.file(0, 1);
   report.input = read_curve(request.curve, true, {.periods = request.periods});
   report.points = points_of("--at", request.at, &report.input.curve);
   if (request.periods.any()) {  // each to the sheet on which the curve is
@@ -159,7 +162,7 @@ void run(const WindingRequest& request) {
     report.write_seconds = write_watch.seconds();
     if (!request.json.empty()) write_winding_json(request.json, report, [&] { return watch.seconds(); });
   }
-  if (!takes_standard_output(outputs)) print(winding_table(report));
+  if (!takes_standard_output(outputs)) print_report(winding_table(report));
   require_agreement(report.outcome.agreement);
 }
 

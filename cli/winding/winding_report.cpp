@@ -19,13 +19,14 @@ Orientation orientation_of(const WindingReport& report) {
 }
 
 void add_points(std::string& text, const WindingReport& report) {
-  text += fmt::format("\n{:>20} {:>20} {:>8} {:>20}\n", "x", "y", "winding", "J");
+  const Table table({{"x", 20, Align::right, 0}, {"y", 20}, {"winding", 8}, {"J", 20}});
+  text += "\n" + table.head();
   const std::size_t rows = std::min(max_table_rows, report.points.size());
   for (std::size_t k = 0; k < rows; ++k) {
     const std::string winding =
         report.found().windings[k].on ? "on" : std::to_string(report.found().windings[k].number);
-    text += fmt::format("{:>20.12g} {:>20.12g} {:>8} {:>20.15g}\n", report.points[k].x, report.points[k].y, winding,
-                        report.found().values[k].j);
+    text += table.row({fmt::format("{:.12g}", report.points[k].x), fmt::format("{:.12g}", report.points[k].y), winding,
+                       fmt::format("{:.15g}", report.found().values[k].j)});
   }
   if (report.points.size() > rows) text += fmt::format("{:>20} and {} more\n", "...", report.points.size() - rows);
 }
@@ -43,10 +44,11 @@ std::string winding_table(const WindingReport& report) {
         fmt::format("at  the centres of {} x {} cells of [{:.10g}, {:.10g}] x [{:.10g}, {:.10g}]\n",
                     report.grid->columns, report.grid->rows, window.min_x, window.max_x, window.min_y, window.max_y);
   }
-  text += fmt::format("\n{:>8} {:>12}\n", "winding", "points");
+  const Table table({{"winding", 8, Align::right, 0}, {"points", 12}});
+  text += "\n" + table.head();
   for (const operations::CurveWinding::Count& count : report.found().counts)
-    text += fmt::format("{:>8} {:>12}\n", count.winding, count.points);
-  text += fmt::format("{:>8} {:>12}\n", "on", report.found().on);
+    text += table.row({std::to_string(count.winding), std::to_string(count.points)});
+  text += table.row({"on", std::to_string(report.found().on)});
   if (!report.grid) add_points(text, report);
   text += fmt::format("\nJ / 2 pi differs from the winding number by {:.1e} at most\n", report.found().difference);
   return text;

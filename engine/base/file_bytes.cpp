@@ -10,6 +10,7 @@
 #include <system_error>
 #include <vector>
 
+#include "engine/base/file_activity.hpp"
 #include "engine/base/input_guard.hpp"
 #include "engine/base/machine_memory.hpp"
 #include "engine/base/parallel/parallel.hpp"
@@ -69,11 +70,13 @@ std::size_t filled(std::span<std::byte> bytes, const std::string& path, const Re
 void read_regular(const Descriptor& file, const struct stat& before, const std::string& path,
                   Buffer<std::byte>& buffer) {
   buffer.resize(static_cast<std::size_t>(before.st_size));
+  note_size_to_read(buffer.size());
   for_each_block(buffer.size(), piece_bytes, [&](std::size_t begin, std::size_t end) {
     const std::size_t got = filled(std::span(buffer).subspan(begin, end - begin), path,
                                    [&](std::byte* to, std::size_t size, std::size_t from) {
                                      return ::pread(file.number(), to, size, static_cast<::off_t>(begin + from));
                                    });
+    note_read(got);
     if (got != end - begin) throw DataError(path + ": was truncated while it was read");
   });
   const struct stat after = status_of(file, path);
@@ -101,6 +104,7 @@ void read_to_end(const Descriptor& file, const std::string& path, Buffer<std::by
     if (got < 0) fail(path);
     if (got == 0) break;
     used += static_cast<std::size_t>(got);
+    note_read(static_cast<std::uint64_t>(got));
   }
   buffer.resize(used);
 }

@@ -97,9 +97,11 @@ void OutputFile::open_beside() {
 }
 
 void OutputFile::write(std::string_view content) {
+  if (!activity_) activity_.emplace(path_, true);
   while (!content.empty()) {
     const ::ssize_t written = uninterrupted([&] { return ::write(descriptor_, content.data(), content.size()); });
     if (written < 0) fail();
+    note_written(static_cast<std::uint64_t>(written));
     content.remove_prefix(static_cast<std::size_t>(written));
   }
 }
@@ -107,6 +109,7 @@ void OutputFile::write(std::string_view content) {
 void OutputFile::commit() {
   // Some file systems report a failed write only here.
   if (::close(std::exchange(descriptor_, -1)) != 0) fail();
+  activity_.reset();
   if (temporary_.empty()) return;
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail();
   temporary_.clear();

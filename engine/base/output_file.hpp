@@ -3,8 +3,11 @@
 
 #include <sys/stat.h>
 
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "engine/base/file_activity.hpp"
 
 namespace lober::detail {
 
@@ -32,6 +35,7 @@ class OutputFile {
   std::string target_;     ///< the file that is replaced
   std::string temporary_;  ///< empty when written straight through, and after `commit`
   int descriptor_ = -1;
+  std::optional<FileActivityScope> activity_;  ///< once something is written, until `commit`
 };
 
 }  // namespace lober::detail

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/base/file_activity.hpp"
 #include "engine/base/file_bytes.hpp"
 #include "engine/base/nearest_word.hpp"
 #include "engine/base/parallel/parallel.hpp"
@@ -126,6 +127,7 @@ CurveFile detail::read_curve_bytes(std::string name, std::span<const std::byte> 
 
 CurveFile read_curve_file(const std::string& path, const ReadOptions& options) {
   constexpr std::size_t worth_two_threads = std::size_t{1} << 16;
+  const FileActivityScope activity(path, false);
   const FileBytes content(path);
   CurveFile file;
   std::string hash;

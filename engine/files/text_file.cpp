@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "engine/base/file_activity.hpp"
 #include "engine/base/parallel/ordered_pipeline.hpp"
 #include "engine/files/source_location.hpp"
 #include "engine/files/tecplot.hpp"
@@ -257,7 +258,10 @@ void read_text(std::string_view text, std::string_view columns, std::size_t chun
   };
   ordered_pipeline<TextChunk>(
       next, [&](TextChunk& chunk) { parse_chunk(chunk, head.columns); },
-      [&](const TextChunk& chunk) { assembler.add(chunk); });
+      [&](const TextChunk& chunk) {
+        assembler.add(chunk);
+        note_parsed(chunk.text.size(), text.size());
+      });
   assembler.finish();
   if (!head.names.empty()) file.header = head.names;
 }

@@ -217,6 +217,14 @@ class Sweeper {
     options.tangle.max_points = how_.max_points;
     options.find_zeros = how_.find_zeros;
     options.progress = [&](double done) { return context_.progress(how_.melnikov ? 0.95 * done : done, "values"); };
+    SystemSweep so_far;
+    so_far.parameter = range_.name;
+    if (context_.on_part) {
+      options.on_row = [&](const SweepRow& row) {
+        so_far.rows.push_back(row);
+        context_.on_part(&so_far);
+      };
+    }
     SystemSweep found{sweep(
         [&](double value) -> FamilyMember {
           const System system = member(value);

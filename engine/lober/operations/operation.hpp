@@ -27,7 +27,8 @@ struct Context {
   /// Called from the calling thread with each element of a list that takes long as soon as it is ready, and with all
   /// comparisons so far.
   std::function<void(const Field& list, const void* element, const Agreement& agreement)> on_element{};
-  /// Called likewise with all that is known so far: the value of the result, without the later parts.
+  /// Called likewise with all that is known so far: the value of the result, without the later parts. By a sweep with
+  /// each row, from any thread, one call at a time.
   std::function<void(const void* so_far)> on_part{};
   /// Whether cancelled work returns the part that is known, where an operation can (escape).
   bool keeps_what_is_known = false;

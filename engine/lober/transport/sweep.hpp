@@ -68,7 +68,10 @@ struct SweepOptions {
   ManifoldTangleOptions tangle{};  ///< `progress` in it is not used
   bool find_zeros = false;         ///< whether to refine sign changes of the difference
   double zero_tolerance = 1e-10;   ///< relative to the value
-  Progress progress{};             ///< called with the fraction of the values that are done
+  Progress progress{};             ///< called with the fraction of the work on the values that is done
+  /// Called with each row as soon as it and all before it are known, in the order of the values, one call at a time;
+  /// `follows` is not known yet.
+  std::function<void(const SweepRow& row)> on_row{};
 };
 
 /// The result of sweep.

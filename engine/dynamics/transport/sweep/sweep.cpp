@@ -91,18 +91,25 @@ class SweepOfValues {
  public:
   using ValueAt = std::function<SweepValue(double, const KnownBip*)>;
 
-  /// Counts in `done` the values that are.
+  using OnRow = std::function<void(const SweepRow&)>;
+
+  /// Counts in `done` the pieces of work that are, `pieces()` in all.
   SweepOfValues(const Family& family, std::span<const double> values, bool bip_is_given, std::atomic<std::size_t>& done,
-                ValueAt value_at)
+                ValueAt value_at, OnRow on_row)
       : family_(family),
         values_(values),
         bip_is_given_(bip_is_given),
         done_(done),
         value_at_(std::move(value_at)),
+        on_row_(std::move(on_row)),
         known_(values.size()),
         found_(values.size()),
         follows_(values.size()),
-        is_own_(values.size()) {}
+        is_own_(values.size()),
+        is_made_(values.size()) {}
+
+  /// Each group has a first value; each value is continued to, and has a row.
+  static std::size_t pieces(std::size_t values) { return (values + together - 1) / together + 2 * values; }
 
   std::vector<SweepValue> run() {
     const std::size_t groups = (values_.size() + together - 1) / together;
@@ -111,6 +118,7 @@ class SweepOfValues {
       const std::size_t k = g * together;
       found_[k] = value_at_(values_[k], nullptr);
       known_[k] = found_[k].known;
+      ++done_;
     });
     for_each_block(groups, 1, [&](std::size_t g, std::size_t) { continue_from(g); });
     continue_over_gaps();
@@ -118,6 +126,7 @@ class SweepOfValues {
     for_each_block(values_.size(), 1, [&](std::size_t k, std::size_t) {
       make_row(k, bip[k / together]);
       ++done_;
+      hand_over(k);
     });
     for (std::size_t k = 1; k < values_.size(); ++k)
       found_[k].row.follows = follows_[k] != 0 && is_own_[k] == 0 && is_own_[k - 1] == 0;
@@ -142,6 +151,7 @@ class SweepOfValues {
         }
       }
       if (known_[k]) last = k;
+      ++done_;
     }
     if (end < values_.size() && last) at_begin_[group + 1] = continued(end, *last);
   }
@@ -215,16 +225,30 @@ class SweepOfValues {
     if (!value.known && !has_failed) value = value_at_(values_[k], nullptr);
   }
 
+  // Row k is made; gives away those before which all are.
+  void hand_over(std::size_t k) {
+    if (!on_row_) return;
+    const std::lock_guard lock(handing_over_);
+    is_made_[k] = 1;
+    for (; handed_over_ < is_made_.size() && is_made_[handed_over_] != 0; ++handed_over_) {
+      on_row_(found_[handed_over_].row);
+    }
+  }
+
   const Family& family_;
   std::span<const double> values_;
   bool bip_is_given_;
   std::atomic<std::size_t>& done_;
   ValueAt value_at_;
+  OnRow on_row_;
   std::vector<std::optional<KnownTurnstile>> known_;     // as continued
   std::vector<std::optional<KnownTurnstile>> at_begin_;  // that of the group before continued to the first of a group
   std::vector<SweepValue> found_;
   // For each value, whether what is known of it has the pips of the value before; whether its row has pips of its own.
   std::vector<char> follows_, is_own_;
+  std::mutex handing_over_;
+  std::vector<char> is_made_;  // rows, under the mutex as the number of those that were handed over
+  std::size_t handed_over_ = 0;
 };
 
 bool is_zero(const SweepRow& row) {
@@ -247,20 +271,21 @@ namespace {
 Sweep swept(const Family& family, std::span<const double> values, const SweepOptions& options) {
   Sweep result;
   std::atomic<std::size_t> done{0};
+  const auto pieces = static_cast<double>(SweepOfValues::pieces(values.size()));
   std::mutex one_at_a_time;
   bool cancelled = false;
   SweepOptions inner = options;
   // A manifold may take long: it asks as well.
   inner.tangle.progress = [&](const std::string&) {
     const std::lock_guard lock(one_at_a_time);
-    cancelled = cancelled || !options.progress(static_cast<double>(done) / static_cast<double>(values.size()));
+    cancelled = cancelled || !options.progress(static_cast<double>(done) / pieces);
     return !cancelled;
   };
   const auto value_with = [&](double value, const KnownBip* bip) {
     return value_at(family, value, inner.tangle, true, bip);
   };
   const std::vector<SweepValue> found =
-      SweepOfValues(family, values, options.tangle.bip_near.has_value(), done, value_with).run();
+      SweepOfValues(family, values, options.tangle.bip_near.has_value(), done, value_with, options.on_row).run();
   for (const SweepValue& value : found) result.rows.push_back(value.row);
   for (std::size_t k = 0; k + 1 < result.rows.size(); ++k) {
     const SweepRow &first = result.rows[k], &last = result.rows[k + 1];
