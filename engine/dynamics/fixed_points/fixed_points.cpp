@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -48,6 +49,22 @@ bool in_box(const Rectangle& box, Point z) {
   return box.min_x - slack <= z.x && z.x <= box.max_x + slack && box.min_y - slack <= z.y && z.y <= box.max_y + slack;
 }
 
+/// Newton's method goes on by the map from where it has ended half way; those that did not converge, or did so outside
+/// the box, stay as they are.
+std::vector<NewtonEnd> by_the_map_itself(const PlanarMap& map, std::vector<NewtonEnd> ends, const Rectangle& box,
+                                         const FixedPointOptions& options) {
+  std::vector<std::size_t> which;
+  std::vector<Point> guesses;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    if (!ends[k].converged || !in_box(box, ends[k].at)) continue;
+    which.push_back(k);
+    guesses.push_back(ends[k].at);
+  }
+  const std::vector<NewtonEnd> final_ends = newton(map, guesses, options, 1e-3 * extent_of(box));
+  for (std::size_t i = 0; i < which.size(); ++i) ends[which[i]] = final_ends[i];
+  return ends;
+}
+
 }  // namespace
 
 std::string_view name(FixedPointKind kind) {
@@ -83,24 +100,43 @@ FixedPoint find_fixed_point(const PlanarMap& map, Point guess, const FixedPointO
 }
 
 std::vector<FixedPoint> detail::scan(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& wanted,
-                                     const DisplacementGrid& grid, const SearchAllowance* allowance) {
+                                     const DisplacementGrid& grid, const HalfWayMap* half_way,
+                                     const SearchAllowance* allowance) {
   FixedPointOptions options = wanted;
   options.extent = std::min(wanted.extent, extent_of(box));
-  const std::vector<Point> seeds = grid.seeds();
-  std::vector<std::optional<FixedPoint>> found(seeds.size());
-  // Whether there is work left is asked between rounds, so that it does not depend on threads.
-  constexpr std::size_t seeds_a_task = 16, seeds_a_round = 32;
-  for (std::size_t round = 0; round < seeds.size() && (!allowance || allowance->has(0)); round += seeds_a_round) {
-    for_each_block(std::min(seeds_a_round, seeds.size() - round), seeds_a_task,
-                   [&](std::size_t begin, std::size_t end) {
-                     const auto some = std::span(seeds).subspan(round + begin, end - begin);
-                     const std::vector<NewtonEnd> ends = newton(map, some, options, 2 * grid.cell());
-                     for (std::size_t k = 0; k < ends.size(); ++k) {
-                       if (!ends[k].converged || !in_box(box, ends[k].at)) continue;
-                       found[round + begin + k] = describe(map, ends[k].at, options);
-                     }
-                   });
+  std::vector<std::optional<FixedPoint>> found;
+  // Points outside the box are not wanted: iterations may leave it for a while, but not for the singularities around
+  // it.
+  const double reach = 2 * grid.cell(), aside = std::max(box.width(), reach), above = std::max(box.height(), reach);
+  const Rectangle around{box.min_x - aside, box.min_y - above, box.max_x + aside, box.max_y + above};
+  // `met`: the map whose displacements Newton's method brings to zero first.
+  const auto follow = [&](const PlanarMap& met, const std::vector<Point>& seeds) {
+    const std::size_t known = found.size();
+    found.resize(known + seeds.size());
+    // Whether there is work left is asked between rounds, so that it does not depend on threads.
+    const std::size_t seeds_a_task = std::max<std::size_t>(16, map.batch() / 8), seeds_a_round = 2 * seeds_a_task;
+    for (std::size_t round = 0; round < seeds.size() && (!allowance || allowance->has(0)); round += seeds_a_round) {
+      for_each_block(std::min(seeds_a_round, seeds.size() - round), seeds_a_task,
+                     [&](std::size_t begin, std::size_t end) {
+                       const auto some = std::span(seeds).subspan(round + begin, end - begin);
+                       std::vector<NewtonEnd> ends = newton(met, some, options, reach, &around);
+                       if (&met != &map) ends = by_the_map_itself(map, ends, box, options);
+                       for (std::size_t k = 0; k < ends.size(); ++k) {
+                         if (!ends[k].converged || !in_box(box, ends[k].at)) continue;
+                         found[known + round + begin + k] = describe(map, ends[k].at, options);
+                       }
+                     });
+    }
+  };
+  // Where all points of the grid can be followed both ways, seeds of the map itself add none but far more stretched
+  // ones.
+  bool followed = false;
+  if (half_way != nullptr) {
+    const DisplacementGrid halves(*half_way, box, options);
+    follow(*half_way, halves.seeds());
+    followed = halves.all_have_images();
   }
+  if (!followed) follow(map, grid.seeds());
   std::vector<FixedPoint> result;
   for (const std::optional<FixedPoint>& point : found) {
     if (!point) continue;
@@ -128,7 +164,8 @@ std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Rectangle&
                                           const FixedPointOptions& options) {
   require_scan(box, options);
   const DisplacementGrid grid(map, box, options);
-  std::vector<FixedPoint> result = scan(map, box, options, grid);
+  const std::unique_ptr<HalfWayMap> half_way = half_way_map(map);
+  std::vector<FixedPoint> result = scan(map, box, options, grid, half_way.get());
   if (result.empty()) {
     const auto [point, least] = grid.nearest();
     throw DataError(
