@@ -12,6 +12,7 @@ void bind_interior(pybind11::module_& module);
 void bind_manifolds(pybind11::module_& module);
 void bind_operations(pybind11::module_& module);
 void bind_overlay(pybind11::module_& module);
+void bind_python_field(pybind11::module_& module);
 void bind_python_map(pybind11::module_& module);
 void bind_regions(pybind11::module_& module);
 void bind_systems(pybind11::module_& module);

@@ -4,9 +4,11 @@
 #include <charconv>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/text.hpp"
@@ -27,20 +29,39 @@ void require(const FixedPointOptions& options) {
   if (options.grid < 2) throw UsageError("the grid of a scan for fixed points must have at least 2 points a side");
 }
 
-FixedPoint describe(const PlanarMap& map, Point at, const FixedPointOptions& options) {
-  FixedPoint result;
-  result.at = at;
-  for (int period = 1; period <= options.period; ++period) {
+/// The points by their least periods, all with one call for each divisor of the period: calls may cost much.
+std::vector<FixedPoint> describe(const PlanarMap& map, std::span<const Point> at, const FixedPointOptions& options) {
+  std::vector<FixedPoint> result(at.size());
+  std::vector<std::size_t> open(at.size());
+  std::iota(open.begin(), open.end(), std::size_t{0});
+  for (int period = 1; period <= options.period && !open.empty(); ++period) {
     if (options.period % period != 0) continue;
     const double share = static_cast<double>(period) / options.period;
-    const Displacement here = displacement(map, at, period, {share * options.shift.x, share * options.shift.y});
-    if (period < options.period && !(length(here.gap) <= 1e-8 * size_at(at, options.extent))) continue;
-    result.period = period;
-    result.derivative = here.derivative;
-    result.residual = length(here.gap);
-    break;
+    const Point shift{share * options.shift.x, share * options.shift.y};
+    std::vector<Point> images;
+    images.reserve(open.size());
+    for (const std::size_t k : open) images.push_back(at[k]);
+    std::vector<Matrix2> derivatives(open.size());
+    map.iterate_with_derivatives(images, period, derivatives);
+    std::vector<std::size_t> left;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const Point from = at[open[i]];
+      const double residual = length({images[i].x - from.x - shift.x, images[i].y - from.y - shift.y});
+      if (period < options.period && !(residual <= 1e-8 * size_at(from, options.extent))) {
+        left.push_back(open[i]);
+        continue;
+      }
+      FixedPoint& point = result[open[i]];
+      point.period = period;
+      point.derivative = derivatives[i];
+      point.residual = residual;
+    }
+    open = std::move(left);
   }
-  classify(result);
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    result[k].at = at[k];
+    classify(result[k]);
+  }
   return result;
 }
 
@@ -96,7 +117,7 @@ FixedPoint find_fixed_point(const PlanarMap& map, Point guess, const FixedPointO
                                                        format_number(end.residual)
                                                  : ": it has no image under the map"));
   }
-  return describe(map, end.at, options);
+  return describe(map, {&end.at, 1}, options)[0];
 }
 
 std::vector<FixedPoint> detail::scan(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& wanted,
@@ -121,10 +142,15 @@ std::vector<FixedPoint> detail::scan(const PlanarMap& map, const Rectangle& box,
                        const auto some = std::span(seeds).subspan(round + begin, end - begin);
                        std::vector<NewtonEnd> ends = newton(met, some, options, reach, &around);
                        if (&met != &map) ends = by_the_map_itself(map, ends, box, options);
+                       std::vector<std::size_t> which;
+                       std::vector<Point> at;
                        for (std::size_t k = 0; k < ends.size(); ++k) {
                          if (!ends[k].converged || !in_box(box, ends[k].at)) continue;
-                         found[known + round + begin + k] = describe(map, ends[k].at, options);
+                         which.push_back(known + round + begin + k);
+                         at.push_back(ends[k].at);
                        }
+                       const std::vector<FixedPoint> points = describe(map, at, options);
+                       for (std::size_t k = 0; k < which.size(); ++k) found[which[k]] = points[k];
                      });
     }
   };

@@ -104,13 +104,6 @@ void mark_converged(const PlanarMap& map, const FixedPointOptions& options, std:
 
 }  // namespace
 
-Displacement displacement(const PlanarMap& map, Point z, int period, Point shift) {
-  Displacement result;
-  const Point image = map.iterate_with_derivative(z, period, result.derivative);
-  result.gap = {image.x - z.x - shift.x, image.y - z.y - shift.y};
-  return result;
-}
-
 NewtonEnd newton(const PlanarMap& map, Point guess, const FixedPointOptions& options, double reach) {
   return newton(map, std::span<const Point>(&guess, 1), options, reach)[0];
 }

@@ -15,8 +15,6 @@ struct Displacement {
   Matrix2 derivative;
 };
 
-Displacement displacement(const PlanarMap& map, Point z, int period, Point shift);
-
 /// The size that an error of z is relative to, in a region of this extent.
 inline double size_at(Point z, double extent) {
   return size_within(extent, length(z));

@@ -10,8 +10,10 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "engine/dynamics/integration/period_lanes.hpp"
+#include "engine/dynamics/integration/wide_steps.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/maps/right_hand_sides.hpp"
 
@@ -31,10 +33,10 @@ class StroboscopicMap final : public PlanarMap {
       : forcing_(std::move(forcing)), options_(options) {}
 
   void iterate(std::span<Point> points, int iterates) const override {
-    if (iterates != 0) carry(points, std::abs(iterates), iterates < 0 ? -1 : 1, 2);
+    if (iterates != 0) carry(points, std::abs(iterates), iterates < 0 ? -1 : 1, 2, options_);
   }
   /// Replaces every point by that half a period later, or earlier: `forward` is +1 or -1.
-  void half_a_period(std::span<Point> points, int forward) const { carry(points, 1, forward, 1); }
+  void half_a_period(std::span<Point> points, int forward) const { carry(points, 1, forward, 1, options_); }
 
   Point iterate_with_derivative(Point point, int iterates, Matrix2& derivative) const override {
     iterate_with_derivatives({&point, 1}, iterates, {&derivative, 1});
@@ -62,6 +64,7 @@ class StroboscopicMap final : public PlanarMap {
   [[nodiscard]] std::unique_ptr<PlanarMap> finer() const override {
     return std::make_unique<StroboscopicMap>(forcing_, options_.finer());
   }
+  [[nodiscard]] std::size_t batch() const override { return wide_batch(AlongFlow<Field>{field()}); }
   [[nodiscard]] std::unique_ptr<PlanarMap> half() const override {
     return std::make_unique<HalfPeriodMap<Field>>(forcing_, options_);
   }
@@ -69,7 +72,7 @@ class StroboscopicMap final : public PlanarMap {
  private:
   [[nodiscard]] const Field& field() const { return forcing_->field(); }
 
-  void carry(std::span<Point> points, int times, int forward, int halves) const {
+  void carry(std::span<Point> points, int times, int forward, int halves, const IntegrationOptions& options) const {
     // Each period begins anew, so that two periods are exactly twice one.
     struct Queue {
       std::span<Point> points;
@@ -91,11 +94,25 @@ class StroboscopicMap final : public PlanarMap {
       void lost(std::size_t item) { points[item] = lost_point; }
     };
     Queue queue{points, Arrivals(times, points.size())};
-    add_tenths_of_work(tenths_of_work<Field> * follow(AlongFlow<Field>{field()}, options_, forward, halves, queue));
+    add_tenths_of_work(tenths_of_work(field()) * follow(AlongFlow<Field>{field()}, options, forward, halves, queue));
   }
 
   void carry_with_derivatives(std::span<Point> points, int times, int forward, int halves,
                               std::span<Matrix2> derivatives) const {
+    if (!has_rough_derivatives(field())) {
+      carry_with_tangents(points, times, forward, halves, options_.finer(), derivatives);
+      return;
+    }
+    std::vector<Point> beside(points.size());
+    for (int k = 0; k < times; ++k) {
+      std::copy(points.begin(), points.end(), beside.begin());
+      carry_with_tangents(beside, 1, forward, halves, with_rough_derivatives(options_), derivatives);
+      carry(points, 1, forward, halves, options_.finer());
+    }
+  }
+
+  void carry_with_tangents(std::span<Point> points, int times, int forward, int halves,
+                           const IntegrationOptions& options, std::span<Matrix2> derivatives) const {
     struct Queue {
       std::span<Point> points;
       std::span<Matrix2> derivatives;
@@ -125,19 +142,17 @@ class StroboscopicMap final : public PlanarMap {
       }
     };
     Queue queue{points, derivatives, Arrivals(times, points.size())};
-    const IntegrationOptions options = options_.finer();
     // Two tangent vectors beside each point.
-    add_tenths_of_derivatives(3 * tenths_of_work<Field> *
+    add_tenths_of_derivatives(3 * tenths_of_work(field()) *
                               follow(WithTangents<Field, 2>{field()}, options, forward, halves, queue));
   }
 
   /// Evaluations of the field.
   template <typename Rhs, typename Queue>
   std::uint64_t follow(const Rhs& rhs, const IntegrationOptions& options, int forward, int halves, Queue& queue) const {
-    StepBlock<Rhs::size> block{};
-    block.tolerance = options.tolerance;
-    PeriodLanes<Rhs, Field, Queue> period_lanes(*forcing_, options, 2, forward, halves, queue);
-    return step_stages * run_lanes(rhs, block, step_function<Rhs>(), period_lanes);
+    return step_stages * run_queue(rhs, options.tolerance, [&] {
+             return PeriodLanes<Rhs, Field, Queue>(*forcing_, options, 2, forward, halves, queue);
+           });
   }
 
   /// Replaces the state by that after a period, to finer errors. False: it is lost.
@@ -172,6 +187,7 @@ class HalfPeriodMap final : public PlanarMap {
     whole_.iterate_with_derivatives(points, iterates / 2, derivatives);
     if (iterates % 2 != 0) whole_.half_a_period(points, iterates < 0 ? -1 : 1, derivatives);
   }
+  [[nodiscard]] std::size_t batch() const override { return whole_.batch(); }
   [[nodiscard]] std::uint64_t work() const override { return whole_.work(); }
   [[nodiscard]] std::uint64_t work_of_derivatives() const override { return whole_.work_of_derivatives(); }
 
