@@ -20,7 +20,8 @@ namespace {
 struct NextStep {
   std::string_view ending, hint;
 };
-constexpr std::array<NextStep, 4> next_steps{{{".svg", "open it in a web browser"},
+constexpr std::array<NextStep, 5> next_steps{{{".svg", "open it in a web browser"},
+                                              {".html", "open it in a web browser, or see lober view --help"},
                                               {".vtk", "open it in ParaView"},
                                               {".results", "lober batch export {} writes its table"},
                                               {".jsonl", "each line is an object of JSON"}}};

@@ -14,3 +14,4 @@
 #include "lober/dynamics/systems.hpp"
 #include "lober/dynamics/tube_surface.hpp"
 #include "lober/dynamics/tubes.hpp"
+#include "lober/dynamics/vector_field.hpp"

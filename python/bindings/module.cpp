@@ -22,6 +22,7 @@ PYBIND11_MODULE(_lober, module) {
   bind_build(module);
   bind_files(module);
   bind_systems(module);
+  bind_python_field(module);
   bind_python_map(module);
   bind_fixed_points(module);
   bind_manifolds(module);

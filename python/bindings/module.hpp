@@ -15,6 +15,7 @@ void bind_operations(pybind11::module_& module);
 void bind_overlaps(pybind11::module_& module);
 void bind_overlay(pybind11::module_& module);
 void bind_pages(pybind11::module_& module);
+void bind_python_field(pybind11::module_& module);
 void bind_python_map(pybind11::module_& module);
 void bind_regions(pybind11::module_& module);
 void bind_shared_run(pybind11::module_& module);  ///< only in builds with batches

@@ -39,6 +39,7 @@ from ._overlay import (
 )
 from ._overlaps import overlap_matrix, overlay_many
 from ._regions import RegionPieces, Regions
+from ._section_system import section_system
 from ._self_test import test
 from ._show_versions import show_versions
 from ._symbolic import equations, hamiltonian
@@ -120,6 +121,7 @@ __all__ = [
     "plot",
     "read",
     "read_zones",
+    "section_system",
     "show_versions",
     "system",
     "systems",

@@ -9,10 +9,8 @@ import sympy
 
 from ._forms import Form
 from ._printers import in_c
+from ._section import Section
 from .errors import UsageError
-
-#: What `lober_values` writes: velocity, Jacobian, period, Hamiltonian.
-VALUES = 8
 
 
 def quoted(text: str) -> str:
@@ -41,33 +39,83 @@ def statements(expressions: list[Any], targets: list[str]) -> str:
     return "\n  ".join(lines)
 
 
-def source_of(form: Form, window: tuple[float, ...], lattice: tuple[float, ...]) -> str:
+def _section(section: Section | None, energy: int) -> str:
+    if section is None:
+        return "#define section 0\n"
+    bounded, bound, side = section.bound
+    return (
+        "static const lober_section section_ = {"
+        f"{section.coordinate}, {double(section.value, 'section')}, {section.direction}, "
+        f"{section.chart[0]}, {section.chart[1]}, {section.solved}, {energy if section.solved >= 0 else -1}, "
+        f"{bounded}, {double(bound, 'bound')}, {side}, {double(section.angle, 'angle')}}};\n#define section &section_\n"
+    )
+
+
+def source_of(
+    form: Form,
+    window: tuple[float, ...],
+    lattice: tuple[float, ...],
+    section: Section | None = None,
+    energy: float = 0.0,
+) -> str:
+    """The library of a flow: of its period, with a parameter `phase`, or with a section and, where there is a Hamiltonian, a
+    parameter `energy`, whose default is given."""
+    n = len(form.velocity)
     unpacked = "".join(f"  const double p{k}_ = p[{k}]; (void)p{k}_;\n" for k in range(len(form.symbols)))
-    state = "  const double x0_ = x[0], x1_ = x[1], t_ = t; (void)x0_; (void)x1_; (void)t_;\n" + unpacked
+    read = "".join(f"  const double x{k}_ = x[{k}]; (void)x{k}_;\n" for k in range(n))
+    state = read + "  const double t_ = t; (void)t_;\n" + unpacked
+    read_one = "".join(f"  const double x{k}_ = x[{k} * n + k_]; (void)x{k}_;\n" for k in range(n))
+    rates = [f"d[{k}]" for k in range(n)]
+    rates_of_one = [f"d[{k} * n + k_]" for k in range(n)]
+    slopes = [f"d[{k}]" for k in range(n * n)]
     box = ", ".join(double(float(entry), "window") for entry in window)
     shift = ", ".join(double(float(entry), "lattice") for entry in lattice)
-    rows = "".join(
-        f'  {{{quoted(key)}, {double(value, f"parameter {key}")}, ""}},\n' for key, value in form.parameters.items()
-    )
-    rows += '  {"phase", 0, "of the section, as a fraction of the period"}'
+    rows = [f'{{{quoted(key)}, {double(value, f"parameter {key}")}, ""}}' for key, value in form.parameters.items()]
+    if form.length is not None:
+        rows.append('{"phase", 0, "of the section, as a fraction of the period"}')
+    elif form.h is not None:
+        rows.append(f'{{"energy", {double(energy, "energy")}, "value of the Hamiltonian"}}')
     has_h = form.h is not None
-    energy = (
+    pairs = ", ".join(f"{{{q}, {p}, 0}}" for q, p in form.pairs)
+    hamiltonian = (
         f"""
 static double hamiltonian(const double *p, const double *x, double t) {{
 {state}  double h;
   {statements([form.h], ["h"])}
   return h;
 }}
-static const lober_pair pairs[] = {{{{0, 1, 0}}}};
+static const lober_pair pairs[] = {{{pairs}}};
 """
         if has_h
         else "\nstatic const lober_pair pairs[1];\n#define hamiltonian 0\n"
     )
+    period = (
+        f"""
+static double period(const double *p) {{
+{unpacked}  (void)p;
+  double length;
+  {statements([form.length], ["length"])}
+  return length;
+}}
+"""
+        if form.length is not None
+        else "\n#define period 0\n"
+    )
+    listed = ",\n  ".join(rows) if rows else '{0, 0, 0}'
+    perturbation = '"eps"' if "eps" in form.parameters else "0"
     return f"""#include <math.h>
 #include <stddef.h>
 
 typedef struct {{ const char *name; double value; const char *meaning; }} lober_parameter;
 typedef struct {{ int q, p; double (*factor)(const double *); }} lober_pair;
+typedef struct {{
+  int coordinate;
+  double value;
+  int direction, chart_x, chart_y, solved, energy_parameter, bound_coordinate;
+  double bound;
+  int bound_side;
+  double period;
+}} lober_section;
 typedef struct {{
   int dimension;
   int (*velocity)(const double *, const double *, double, double *);
@@ -76,7 +124,7 @@ typedef struct {{
   double (*hamiltonian)(const double *, const double *, double);
   size_t pair_count;
   const lober_pair *pairs;
-  const void *section;
+  const lober_section *section_of_map;
   void (*velocity_batch)(const double *, size_t, const double *, const double *, double *);
 }} lober_flow;
 typedef struct {{
@@ -91,48 +139,46 @@ typedef struct {{
   size_t connection_count;
   int (*connection)(const double *, size_t, void *);
   int all_bound_region_1;
+  const void *ranges;
+  const char *perturbation;
+  double second_lattice[2];
 }} lober_system;
 
 static int velocity(const double *p, const double *x, double t, double *d) {{
-{state}  {statements(form.velocity, ["d[0]", "d[1]"])}
+{state}  {statements(form.velocity, rates)}
   return 0;
 }}
 
 static int jacobian(const double *p, const double *x, double t, double *d) {{
-{state}  {statements(form.jacobian, ["d[0]", "d[1]", "d[2]", "d[3]"])}
+{state}  {statements(form.jacobian, slopes)}
   return 0;
 }}
 
 static void velocity_batch(const double *p, size_t n, const double *restrict x, const double *restrict t,
                            double *restrict d) {{
-{unpacked}  for (size_t k = 0; k < n; ++k) {{
-  const double x0_ = x[k], x1_ = x[n + k], t_ = t[k]; (void)x0_; (void)x1_; (void)t_;
-  {statements(form.velocity, ["d[k]", "d[n + k]"])}
+{unpacked}  for (size_t k_ = 0; k_ < n; ++k_) {{
+{read_one}  const double t_ = t[k_]; (void)t_;
+  {statements(form.velocity, rates_of_one)}
   }}
 }}
-
-static double period(const double *p) {{
-{unpacked}  (void)p;
-  double length;
-  {statements([form.length], ["length"])}
-  return length;
-}}
-{energy}
+{period}{hamiltonian}
+{_section(section, len(form.symbols))}
 static const lober_parameter parameters[] = {{
-{rows}
+  {listed}
 }};
-static const lober_flow flow = {{2, velocity, jacobian, period, hamiltonian, {int(has_h)}, pairs, 0, velocity_batch}};
+static const lober_flow flow = {{{n}, velocity, jacobian, period, hamiltonian, {len(form.pairs)}, pairs, section,
+                                velocity_batch}};
 static const lober_system description = {{
-  3, 2, {quoted(form.name)}, "of expressions", {len(form.symbols) + 1}, parameters, {{{box}}},
-  {{{shift}}}, 0, &flow, 0, 0, 0}};
+  4, 2, {quoted(form.name)}, "of expressions", {len(rows)}, parameters, {{{box}}},
+  {{{shift}}}, 0, &flow, 0, 0, 0, 0, {perturbation}, {{0, 0}}}};
 
 __attribute__((visibility("default"))) const lober_system *lober_system_describe(void) {{ return &description; }}
 
 /* For the comparison with the form in NumPy. */
 __attribute__((visibility("default"))) void lober_values(const double *p, const double *x, double t, double *to) {{
   (void)velocity(p, x, t, to);
-  (void)jacobian(p, x, t, to + 2);
-  to[6] = period(p);
-  to[7] = {"hamiltonian(p, x, t)" if has_h else "0"};
+  (void)jacobian(p, x, t, to + {n});
+  to[{n + n * n}] = {"period(p)" if form.length is not None else "0"};
+  to[{n + n * n + 1}] = {"hamiltonian(p, x, t)" if has_h else "0"};
 }}
 """

@@ -14,12 +14,15 @@ from sympy.core.function import AppliedUndef
 from ._numbers import number_of
 from .errors import UsageError
 
-X, Y, T = sympy.symbols("x0_ x1_ t_", real=True)
+#: What stands for the coordinates and the time.
+COORDINATES = sympy.symbols("x0_ x1_ x2_ x3_", real=True)
+T = sympy.Symbol("t_", real=True)
 
 
 @dataclass(frozen=True)
 class Form:
-    """A flow whose period is `length`. `parameters` are names and defaults, `symbols` stand for them in expressions."""
+    """A flow whose period is `length`, None for one that does not depend on time. `parameters` are names and defaults,
+    `symbols` stand for them in expressions; `jacobian` is row by row."""
 
     name: str
     velocity: list[Any]
@@ -28,6 +31,16 @@ class Form:
     length: Any
     parameters: dict[str, float]
     symbols: list[Any]
+
+    @property
+    def coordinates(self) -> list[Any]:
+        return list(COORDINATES[: len(self.velocity)])
+
+    @property
+    def pairs(self) -> list[tuple[int, int]]:
+        """Positions and their momenta, which come behind all positions; none where there is no Hamiltonian."""
+        half = len(self.velocity) // 2
+        return [] if self.h is None else [(k, half + k) for k in range(half)]
 
 
 def expression(given: Any, what: str) -> Any:
@@ -73,17 +86,20 @@ def form_of(
     length: Any,
     params: Mapping[Any, float],
 ) -> Form:
-    """That of right-hand sides, or of a Hamiltonian. Raises UsageError for what is neither expression nor number."""
+    """That of right-hand sides, or of a Hamiltonian of positions and then momenta. A flow without `length` does not depend
+    on time. Raises UsageError for what is neither expression nor number."""
     given = symbols_of(coordinates, f"system {name}: coordinates")
     given += symbols_of([sympy.Symbol("t") if time is None else time], f"system {name}: times")
     keys = symbols_of(list(params), f"system {name}: the keys of params")
     names = [str(key) for key in keys]
     if len({*given, *keys}) < len(given) + len(keys) or len(set(names)) < len(names):
         raise UsageError(f"system {name}: a symbol has two roles; give coordinates, time and params different names")
-    if "phase" in names:
-        raise UsageError(f"system {name}: the parameter phase is that of the section; give yours another name")
+    section = "phase" if length is not None else "energy"
+    if section in names:
+        raise UsageError(f"system {name}: the parameter {section} is that of the section; give yours another name")
     ours = [sympy.Symbol(f"p{k}_", real=True) for k in range(len(keys))]
-    roles = dict(zip([*given, *keys], [X, Y, T, *ours]))
+    ours_of_state = list(COORDINATES[: len(given) - 1])
+    roles = dict(zip([*given, *keys], [*ours_of_state, T, *ours]))
 
     def renamed(entry: Any, what: str) -> Any:
         found = expression(entry, f"system {name}: {what}")
@@ -97,12 +113,14 @@ def form_of(
     if velocity is not None:
         speed = [renamed(entry, "a right-hand side") for entry in velocity]
     else:
-        speed = [sympy.diff(energy, Y), -sympy.diff(energy, X)]
-    period = renamed(length, "the period")
-    if period.free_symbols - set(ours):
+        half = len(ours_of_state) // 2
+        positions, momenta = ours_of_state[:half], ours_of_state[half:]
+        speed = [*(sympy.diff(energy, p) for p in momenta), *(-sympy.diff(energy, q) for q in positions)]
+    period = None if length is None else renamed(length, "the period")
+    if period is not None and period.free_symbols - set(ours):
         raise UsageError(f"system {name}: the period is a number or an expression of params")
     # At the jump of a sign or a step there is no derivative; at all other places this is one.
-    slopes = [sympy.diff(entry, coordinate) for entry in speed for coordinate in (X, Y)]
+    slopes = [sympy.diff(entry, coordinate) for entry in speed for coordinate in ours_of_state]
     jacobian = [_with_steps(slope.replace(sympy.DiracDelta, lambda *_: sympy.S.Zero)) for slope in slopes]
     speed = [_with_steps(entry) for entry in speed]
     values = {key: number_of(value, f"system {name}: parameter {key}") for key, value in zip(names, params.values())}

@@ -8,37 +8,40 @@ from typing import Any, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ._c_source import VALUES
-from ._forms import T, X, Y, Form
+from ._forms import T, Form
 from ._printers import in_numpy
 
 
 class NumPyForm:
     def __init__(self, form: Form) -> None:
-        symbols = [X, Y, T, *form.symbols]
+        symbols = [*form.coordinates, T, *form.symbols]
         self._form = form
-        #: Of x, y, t and the parameters, arrays or numbers.
+        #: Of the coordinates, t and the parameters, arrays or numbers.
         self.velocity = in_numpy(symbols, form.velocity)
         self.hamiltonian: Any = None if form.h is None else in_numpy(symbols, form.h)
-        self._length = in_numpy(form.symbols, form.length)
+        self._length = None if form.length is None else in_numpy(form.symbols, form.length)
 
     def period(self, values: Sequence[float]) -> float:
+        """0 where there is none."""
+        if self._length is None:
+            return 0.0
         with np.errstate(all="ignore"):
             return float(self._length(*map(np.float64, values)))
 
     @cached_property
-    def _jacobian(self) -> Any:
+    def jacobian(self) -> Any:
         """When it is asked for: NumPy alone does without, and a remainder, say, has no derivative in SymPy."""
-        return in_numpy([X, Y, T, *self._form.symbols], self._form.jacobian)
+        return in_numpy([*self._form.coordinates, T, *self._form.symbols], self._form.jacobian)
 
     def values(self, points: NDArray[np.float64], times: NDArray[np.float64], values: Sequence[float]) -> NDArray[np.float64]:
         """The values that `lober_values` of the library writes (_c_source.py), a column for each point."""
-        arguments: list[Any] = [points[0], points[1], times, *map(np.float64, values)]
-        found = np.zeros((VALUES, len(times)))
+        arguments: list[Any] = [*points, times, *map(np.float64, values)]
+        n = len(points)
+        found = np.zeros((n + n * n + 2, len(times)))
         with np.errstate(all="ignore"):
-            for row, entry in enumerate([*self.velocity(*arguments), *self._jacobian(*arguments)]):
+            for row, entry in enumerate([*self.velocity(*arguments), *self.jacobian(*arguments)]):
                 found[row] = entry
-            found[6] = self.period(values)
+            found[-2] = self.period(values)
             if self.hamiltonian is not None:
-                found[7] = self.hamiltonian(*arguments)
+                found[-1] = self.hamiltonian(*arguments)
         return found

@@ -9,7 +9,9 @@ import numpy as np
 
 from . import _lober
 from ._numbers import number_of
-from ._own_maps import Array, FormulaMap, Function, OwnMap, PeriodMap
+from ._own_field import AddressField, Array, Function, VectorisedField, bound, field_of
+from ._own_maps import FormulaMap, OwnMap
+from ._pickles import pickled
 from ._systems import Connection, Pair, System, pair_of
 from .errors import DataError, UsageError
 
@@ -27,6 +29,7 @@ class Family:
         self.parameters = dict(parameters)
         self._make = make
         self._default: System | None = None
+        self._made_by: tuple[Any, Any, dict[str, Any]] | None = None
 
     def __call__(self, *, integration_tolerance: float = 1e-12, **values: float) -> System:
         for key in values:
@@ -49,6 +52,15 @@ class Family:
             self._default = self()
         return self._default
 
+    def made_by(self, maker: Any, given: Any, options: dict[str, Any]) -> Family:
+        """Notes the call maker(given, **options) that makes this family again, for pickles."""
+        self._made_by = (maker, given, options)
+        return self
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        assert self._made_by is not None
+        return pickled(self, *self._made_by)
+
     def __repr__(self) -> str:
         values = ", ".join(f"{key} = {value:g}" for key, value in self.parameters.items())
         return f"<Family {self.name}: {values}>"
@@ -56,29 +68,6 @@ class Family:
 
 def _member(family: Family, values: dict[str, float], tolerance: float) -> System:
     return family(integration_tolerance=tolerance, **values)
-
-
-def _parameters(function: Function, known: Mapping[str, float], coordinates: int, name: str) -> list[str]:
-    """Names of the parameters that a function takes after its coordinates (and the time)."""
-    names = list(inspect.signature(function).parameters)[coordinates:]
-    for key in names:
-        if key not in known:
-            raise UsageError(f"{name}: {key} is neither a coordinate nor among params")
-    return names
-
-
-def _bound(function: Any, params: Mapping[str, float], coordinates: int, name: str) -> Any:
-    """Makes of a function and a choice of parameters one of its coordinates alone."""
-    if function is None:
-        return lambda values: None
-    names = _parameters(function, params, coordinates, name)
-
-    def bind(values: Mapping[str, float]) -> Function:
-        chosen = [values[key] for key in names]
-        given: Function = function
-        return lambda *arguments: given(*arguments, *chosen)
-
-    return bind
 
 
 def _value(given: Any, values: Mapping[str, float]) -> Any:
@@ -113,18 +102,21 @@ def map(
             return x + y, y
     """
     parameters = dict(params or {})
+    options = dict(
+        inverse=inverse, action=action, params=parameters, window=window, lattice=lattice, connection=connection, name=name
+    )
 
     def decorate(function: Function) -> Family:
         title = name or function.__name__
-        forwards = _bound(function, parameters, 2, title)
-        backwards = _bound(inverse, parameters, 2, title)
-        actions = _bound(action, parameters, 2, title)
+        forwards = bound(function, parameters, 2, title)
+        backwards = bound(inverse, parameters, 2, title)
+        actions = bound(action, parameters, 2, title)
 
         def make(values: Mapping[str, float], tolerance: float) -> System:
             own = FormulaMap(title, forwards(values), backwards(values), actions(values), extent_of(title, window))
             return own_system(title, function, values, own, window, lattice, _value(connection, values))
 
-        return Family(title, parameters, make)
+        return Family(title, parameters, make).made_by(map, function, options)
 
     return decorate if forward is None else decorate(forward)
 
@@ -154,37 +146,31 @@ def flow(
             return y, -np.sin(x) + eps * np.cos(t)
     """
     parameters = dict(params or {})
+    options = dict(
+        period=period,
+        params=parameters,
+        hamiltonian=hamiltonian,
+        phase=phase,
+        window=window,
+        lattice=lattice,
+        connection=connection,
+        name=name,
+    )
 
     def decorate(function: Function) -> Family:
-        title = name or function.__name__
-        velocities = _bound(function, parameters, 3, title)
-        hamiltonians = _bound(hamiltonian, parameters, 3, title)
+        title = name or getattr(function, "__name__", "flow")
+        velocities = bound(function, parameters, 3, title)
+        hamiltonians = bound(hamiltonian, parameters, 3, title)
         begin = number_of(phase, f"system {title}: phase")
 
         def make(values: Mapping[str, float], tolerance: float) -> System:
             length = number_of(_value(period, values), f"system {title}: the period")
-            own = period_map(title, velocities(values), hamiltonians(values), begin, length, tolerance, window)
-            return own_system(title, function, values, own, window, lattice, _value(connection, values))
+            made = period_flow(title, velocities(values), hamiltonians(values), length, window)
+            return flow_system(title, function, values, made, window, lattice, begin, tolerance, _value(connection, values))
 
-        return Family(title, parameters, make)
+        return Family(title, parameters, make).made_by(flow, function, options)
 
     return decorate if velocity is None else decorate(velocity)
-
-
-def period_map(
-    name: str,
-    velocity: Function,
-    hamiltonian: Function | None,
-    phase: float,
-    period: float,
-    tolerance: float,
-    window: Box,
-) -> OwnMap:
-    if not (np.isfinite(period) and period > 0):
-        raise UsageError(f"system {name}: its period is not positive")
-    # A trajectory is lost far outside the window, in whatever units that is.
-    farthest = max(abs(number_of(edge, f"system {name}: window")) for edge in window)
-    return PeriodMap(name, velocity, hamiltonian, phase * period, period, tolerance, max(1e6, 1e3 * farthest), extent_of(name, window))
 
 
 def extent_of(name: str, window: Box) -> float:
@@ -202,7 +188,7 @@ def _window_points(window: Box) -> Array:
     return np.stack([x0 + (x1 - x0) * across.ravel(), y0 + (y1 - y0) * up.ravel()])
 
 
-def require_consistent(name: str, own: OwnMap, window: Box, shift: Pair) -> None:
+def require_consistent(name: str, own: OwnMap | VectorisedField, window: Box, shift: Pair) -> None:
     """Raises DataError where functions do not belong together, at some points of the window: an inverse that is none, or
     a map or field that does not repeat after the lattice or the period. Points where they give no number are left out; a
     function that raises does so again where it is used."""
@@ -229,10 +215,47 @@ def own_system(
     lattice: Pair,
     connection: Connection | None,
 ) -> System:
-    summary = "of expressions" if function is None else (inspect.getdoc(function) or "").partition("\n")[0]
     parts = None if connection is None else connection._parts()
     x0, y0, x1, y1 = (number_of(entry, f"system {name}: window") for entry in window)
     shift = pair_of(lattice, f"system {name}: lattice")
     require_consistent(name, own, (x0, y0, x1, y1), shift)
-    made = _lober.own_system(name, summary, list(values.items()), own, (x0, y0, x1, y1), shift, parts)
+    made = _lober.own_system(name, summary_of(function), list(values.items()), own, (x0, y0, x1, y1), shift, parts)
+    return System(made, ())
+
+
+def summary_of(function: Any) -> str:
+    return "of expressions" if function is None else (inspect.getdoc(function) or "").partition("\n")[0]
+
+
+def period_flow(
+    name: str, velocity: Any, hamiltonian: Any, period: float, window: Box
+) -> VectorisedField | AddressField:
+    """The field of a flow of two coordinates over its period."""
+    if not (np.isfinite(period) and period > 0):
+        raise UsageError(f"system {name}: its period is not positive")
+    return field_of(name, 2, velocity, hamiltonian, period, extent_of(name, window))
+
+
+def flow_system(
+    name: str,
+    function: Any,
+    values: Mapping[str, float],
+    field: VectorisedField | AddressField,
+    window: Box,
+    lattice: Pair,
+    phase: float,
+    tolerance: float,
+    connection: Connection | None,
+) -> System:
+    x0, y0, x1, y1 = (number_of(entry, f"system {name}: window") for entry in window)
+    shift = pair_of(lattice, f"system {name}: lattice")
+    if isinstance(field, VectorisedField):
+        require_consistent(name, field, (x0, y0, x1, y1), shift)
+    # Whole periods change nothing but rounding.
+    begin = phase - np.floor(phase) if abs(phase) >= 1 else phase
+    made = _lober.field_system(
+        name, summary_of(function), list(values.items()), field, (x0, y0, x1, y1), shift, None, float(begin), 0.0, tolerance
+    )
+    if connection is not None:
+        made.connect(connection._parts())
     return System(made, ())

@@ -55,6 +55,13 @@ class DoublesInC(_Doubles, C99CodePrinter):  # type: ignore[misc]
         if expr.exp == sympy.Rational(1, 3):
             # Not cbrt, which takes negative numbers: NumPy does not, nor is it the root that SymPy means.
             return f"pow({self._print(expr.base)}, {literal(expr.exp)})"
+        half = sympy.Rational(1, 2)
+        if isinstance(expr.exp, sympy.Rational) and expr.exp.q <= 2 and abs(expr.exp.p) <= 8 and expr.exp not in (1, -1, half):
+            # Products and roots, which processors compute several at a time; pow takes twenty times as long.
+            base = f"({self._print(expr.base)})"
+            factors = [base] * (abs(expr.exp.p) // expr.exp.q) + [f"sqrt({base})"] * (expr.exp.q - 1)
+            power = "*".join(factors)
+            return f"(1.0/({power}))" if expr.exp.p < 0 else f"({power})"
         text: str = super()._print_Pow(expr)
         return text
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _lober
 from ._numbers import number_of
-from ._own import Family, own_system, period_map
+from ._own import Family, flow_system, period_flow
 from ._systems import Connection, Pair, System, pair_of
 from .errors import UsageError
 
@@ -39,7 +39,9 @@ def hamiltonian(
     and compared with NumPy before it is used; where there is none the flow is a vectorised function of NumPy. The rest as
     `flow`. Raises UsageError for texts, which SymPy would evaluate as Python, and DisagreementError where C and NumPy differ.
     """
-    return _family(None, (q, p), t, h, period, params, phase, window, lattice, connection, name, compiler)
+    made = _family(None, (q, p), t, h, period, params, phase, window, lattice, connection, name, compiler)
+    options = dict(q=q, p=p, t=t, period=period, params=params, phase=phase, window=window, lattice=lattice)
+    return made.made_by(hamiltonian, h, {**options, "connection": connection, "name": name, "compiler": compiler})
 
 
 def equations(
@@ -60,7 +62,9 @@ def equations(
     if isinstance(velocity, str) or isinstance(coordinates, str) or len(velocity) != 2 or len(coordinates) != 2:
         raise UsageError("a flow with a planar map has two coordinates and two right-hand sides")
     pair = (coordinates[0], coordinates[1])
-    return _family(velocity, pair, t, None, period, params, phase, window, lattice, connection, name, compiler)
+    made = _family(velocity, pair, t, None, period, params, phase, window, lattice, connection, name, compiler)
+    options = dict(coordinates=pair, t=t, period=period, params=params, phase=phase, window=window, lattice=lattice)
+    return made.made_by(equations, velocity, {**options, "connection": connection, "name": name, "compiler": compiler})
 
 
 def _family(
@@ -94,16 +98,15 @@ def _family(
 
         def vectorised(values: Mapping[str, float], tolerance: float) -> System:
             numbers: list[Any] = [np.float64(value) for value in values.values()]
-            own = period_map(
+            field = period_flow(
                 name,
                 lambda x, y, t: in_numpy.velocity(x, y, t, *numbers),
                 None if form.h is None else lambda x, y, t: in_numpy.hamiltonian(x, y, t, *numbers),
-                begin,
                 in_numpy.period(numbers),
-                tolerance,
                 box,
             )
-            return own_system(name, None, values, own, box, shift, _numeric(connection, parameters, values))
+            between = _numeric(connection, parameters, values)
+            return flow_system(name, None, values, field, box, shift, begin, tolerance, between)
 
         return Family(name, form.parameters, vectorised)
 
@@ -111,7 +114,7 @@ def _family(
 
     def make(values: Mapping[str, float], tolerance: float) -> System:
         library = compiled(source, with_compiler)
-        require_same(library, form, in_numpy, list(values.values()), box)
+        require_same(library, form, in_numpy, list(values.values()), np.array([box[::2], box[1::2]]))
         pairs = [*values.items(), ("phase", begin)]
         made = System(_lober.system(library, pairs, tolerance), ())
         between = _numeric(connection, parameters, values)

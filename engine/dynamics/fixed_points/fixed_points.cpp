@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/text.hpp"
@@ -26,26 +29,61 @@ void require(const FixedPointOptions& options) {
   if (options.grid < 2) throw UsageError("the grid of a scan for fixed points must have at least 2 points a side");
 }
 
-FixedPoint describe(const PlanarMap& map, Point at, const FixedPointOptions& options) {
-  FixedPoint result;
-  result.at = at;
-  for (int period = 1; period <= options.period; ++period) {
+/// The points by their least periods, all with one call for each divisor of the period: calls may cost much.
+std::vector<FixedPoint> describe(const PlanarMap& map, std::span<const Point> at, const FixedPointOptions& options) {
+  std::vector<FixedPoint> result(at.size());
+  std::vector<std::size_t> open(at.size());
+  std::iota(open.begin(), open.end(), std::size_t{0});
+  for (int period = 1; period <= options.period && !open.empty(); ++period) {
     if (options.period % period != 0) continue;
     const double share = static_cast<double>(period) / options.period;
-    const Displacement here = displacement(map, at, period, {share * options.shift.x, share * options.shift.y});
-    if (period < options.period && !(length(here.gap) <= 1e-8 * size_at(at, options.extent))) continue;
-    result.period = period;
-    result.derivative = here.derivative;
-    result.residual = length(here.gap);
-    break;
+    const Point shift{share * options.shift.x, share * options.shift.y};
+    std::vector<Point> images;
+    images.reserve(open.size());
+    for (const std::size_t k : open) images.push_back(at[k]);
+    std::vector<Matrix2> derivatives(open.size());
+    map.iterate_with_derivatives(images, period, derivatives);
+    std::vector<std::size_t> left;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const Point from = at[open[i]];
+      const double residual = length({images[i].x - from.x - shift.x, images[i].y - from.y - shift.y});
+      if (period < options.period && !(residual <= 1e-8 * size_at(from, options.extent))) {
+        left.push_back(open[i]);
+        continue;
+      }
+      FixedPoint& point = result[open[i]];
+      point.period = period;
+      point.derivative = derivatives[i];
+      point.residual = residual;
+    }
+    open = std::move(left);
   }
-  classify(result);
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    result[k].at = at[k];
+    classify(result[k]);
+  }
   return result;
 }
 
 bool in_box(const Rectangle& box, Point z) {
   const double slack = 1e-9 * size_at({box.width(), box.height()}, extent_of(box));
   return box.min_x - slack <= z.x && z.x <= box.max_x + slack && box.min_y - slack <= z.y && z.y <= box.max_y + slack;
+}
+
+/// Newton's method goes on by the map from where it has ended half way; those that did not converge, or did so outside
+/// the box, stay as they are.
+std::vector<NewtonEnd> by_the_map_itself(const PlanarMap& map, std::vector<NewtonEnd> ends, const Rectangle& box,
+                                         const FixedPointOptions& options) {
+  std::vector<std::size_t> which;
+  std::vector<Point> guesses;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    if (!ends[k].converged || !in_box(box, ends[k].at)) continue;
+    which.push_back(k);
+    guesses.push_back(ends[k].at);
+  }
+  const std::vector<NewtonEnd> final_ends = newton(map, guesses, options, 1e-3 * extent_of(box));
+  for (std::size_t i = 0; i < which.size(); ++i) ends[which[i]] = final_ends[i];
+  return ends;
 }
 
 }  // namespace
@@ -79,28 +117,52 @@ FixedPoint find_fixed_point(const PlanarMap& map, Point guess, const FixedPointO
                                                        format_number(end.residual)
                                                  : ": it has no image under the map"));
   }
-  return describe(map, end.at, options);
+  return describe(map, {&end.at, 1}, options)[0];
 }
 
 std::vector<FixedPoint> detail::scan(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& wanted,
-                                     const DisplacementGrid& grid, const SearchAllowance* allowance) {
+                                     const DisplacementGrid& grid, const HalfWayMap* half_way,
+                                     const SearchAllowance* allowance) {
   FixedPointOptions options = wanted;
   options.extent = std::min(wanted.extent, extent_of(box));
-  const std::vector<Point> seeds = grid.seeds();
-  std::vector<std::optional<FixedPoint>> found(seeds.size());
-  // Whether there is work left is asked between rounds, so that it does not depend on threads.
-  constexpr std::size_t seeds_a_task = 16, seeds_a_round = 32;
-  for (std::size_t round = 0; round < seeds.size() && (!allowance || allowance->has(0)); round += seeds_a_round) {
-    for_each_block(std::min(seeds_a_round, seeds.size() - round), seeds_a_task,
-                   [&](std::size_t begin, std::size_t end) {
-                     const auto some = std::span(seeds).subspan(round + begin, end - begin);
-                     const std::vector<NewtonEnd> ends = newton(map, some, options, 2 * grid.cell());
-                     for (std::size_t k = 0; k < ends.size(); ++k) {
-                       if (!ends[k].converged || !in_box(box, ends[k].at)) continue;
-                       found[round + begin + k] = describe(map, ends[k].at, options);
-                     }
-                   });
+  std::vector<std::optional<FixedPoint>> found;
+  // Points outside the box are not wanted: iterations may leave it for a while, but not for the singularities around
+  // it.
+  const double reach = 2 * grid.cell(), aside = std::max(box.width(), reach), above = std::max(box.height(), reach);
+  const Rectangle around{box.min_x - aside, box.min_y - above, box.max_x + aside, box.max_y + above};
+  // `met`: the map whose displacements Newton's method brings to zero first.
+  const auto follow = [&](const PlanarMap& met, const std::vector<Point>& seeds) {
+    const std::size_t known = found.size();
+    found.resize(known + seeds.size());
+    // Whether there is work left is asked between rounds, so that it does not depend on threads.
+    const std::size_t seeds_a_task = std::max<std::size_t>(16, map.batch() / 8), seeds_a_round = 2 * seeds_a_task;
+    for (std::size_t round = 0; round < seeds.size() && (!allowance || allowance->has(0)); round += seeds_a_round) {
+      for_each_block(std::min(seeds_a_round, seeds.size() - round), seeds_a_task,
+                     [&](std::size_t begin, std::size_t end) {
+                       const auto some = std::span(seeds).subspan(round + begin, end - begin);
+                       std::vector<NewtonEnd> ends = newton(met, some, options, reach, &around);
+                       if (&met != &map) ends = by_the_map_itself(map, ends, box, options);
+                       std::vector<std::size_t> which;
+                       std::vector<Point> at;
+                       for (std::size_t k = 0; k < ends.size(); ++k) {
+                         if (!ends[k].converged || !in_box(box, ends[k].at)) continue;
+                         which.push_back(known + round + begin + k);
+                         at.push_back(ends[k].at);
+                       }
+                       const std::vector<FixedPoint> points = describe(map, at, options);
+                       for (std::size_t k = 0; k < which.size(); ++k) found[which[k]] = points[k];
+                     });
+    }
+  };
+  // Where all points of the grid can be followed both ways, seeds of the map itself add none but far more stretched
+  // ones.
+  bool followed = false;
+  if (half_way != nullptr) {
+    const DisplacementGrid halves(*half_way, box, options);
+    follow(*half_way, halves.seeds());
+    followed = halves.all_have_images();
   }
+  if (!followed) follow(map, grid.seeds());
   std::vector<FixedPoint> result;
   for (const std::optional<FixedPoint>& point : found) {
     if (!point) continue;
@@ -128,7 +190,8 @@ std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Rectangle&
                                           const FixedPointOptions& options) {
   require_scan(box, options);
   const DisplacementGrid grid(map, box, options);
-  std::vector<FixedPoint> result = scan(map, box, options, grid);
+  const std::unique_ptr<HalfWayMap> half_way = half_way_map(map);
+  std::vector<FixedPoint> result = scan(map, box, options, grid, half_way.get());
   if (result.empty()) {
     const auto [point, least] = grid.nearest();
     throw DataError(

@@ -19,7 +19,7 @@ Point newton_step(const Displacement& here) {
 // Newton's method from one guess, one displacement at a time.
 class Iteration {
  public:
-  Iteration(Point guess, double extent) : extent_(extent), next_(guess) {}
+  Iteration(Point guess, double extent, const Rectangle* within) : extent_(extent), within_(within), next_(guess) {}
 
   [[nodiscard]] bool ended() const { return ended_; }
   /// Where the displacement is wanted next.
@@ -67,9 +67,14 @@ class Iteration {
     close_ = size <= 1e-8 * size_at(z_, extent_);
     if (size > reach) step_ = {step_.x * reach / size, step_.y * reach / size};
     next_ = {z_.x + step_.x, z_.y + step_.y};
+    if (within_ != nullptr && !(within_->min_x <= next_.x && next_.x <= within_->max_x && within_->min_y <= next_.y &&
+                                next_.y <= within_->max_y)) {
+      ended_ = stalled_ = true;
+    }
   }
 
   double extent_;
+  const Rectangle* within_;
   Point z_{}, step_{}, next_;
   NewtonEnd best_{};
   int round_ = 0, halvings_ = 0, evaluations_ = 0;
@@ -99,22 +104,15 @@ void mark_converged(const PlanarMap& map, const FixedPointOptions& options, std:
 
 }  // namespace
 
-Displacement displacement(const PlanarMap& map, Point z, int period, Point shift) {
-  Displacement result;
-  const Point image = map.iterate_with_derivative(z, period, result.derivative);
-  result.gap = {image.x - z.x - shift.x, image.y - z.y - shift.y};
-  return result;
-}
-
 NewtonEnd newton(const PlanarMap& map, Point guess, const FixedPointOptions& options, double reach) {
   return newton(map, std::span<const Point>(&guess, 1), options, reach)[0];
 }
 
 std::vector<NewtonEnd> newton(const PlanarMap& map, std::span<const Point> guesses, const FixedPointOptions& options,
-                              double reach) {
+                              double reach, const Rectangle* within) {
   std::vector<Iteration> iterations;
   iterations.reserve(guesses.size());
-  for (const Point guess : guesses) iterations.emplace_back(guess, options.extent);
+  for (const Point guess : guesses) iterations.emplace_back(guess, options.extent, within);
   std::vector<std::size_t> open(guesses.size());
   std::iota(open.begin(), open.end(), std::size_t{0});
   while (!open.empty()) {

@@ -15,8 +15,6 @@ struct Displacement {
   Matrix2 derivative;
 };
 
-Displacement displacement(const PlanarMap& map, Point z, int period, Point shift);
-
 /// The size that an error of z is relative to, in a region of this extent.
 inline double size_at(Point z, double extent) {
   return size_within(extent, length(z));
@@ -32,8 +30,10 @@ struct NewtonEnd {
 /// point of the least residual. Converged: that is small, and the map is defined all round the point. A negative period
 /// stands for iterates of the inverse.
 NewtonEnd newton(const PlanarMap& map, Point guess, const FixedPointOptions& options, double reach);
-/// The same from many guesses, whose images are asked for together: flows follow several points at a time.
+/// The same from many guesses, whose images are asked for together: flows follow several points at a time. An iteration
+/// that leaves `within`, if that is not null, has not converged: outside, images may take as long as they like.
 [[nodiscard]] std::vector<NewtonEnd> newton(const PlanarMap& map, std::span<const Point> guesses,
-                                            const FixedPointOptions& options, double reach);
+                                            const FixedPointOptions& options, double reach,
+                                            const Rectangle* within = nullptr);
 
 }  // namespace lober::detail

@@ -7,6 +7,7 @@
 
 #include "engine/base/stopwatch.hpp"
 #include "engine/dynamics/fixed_points/displacement_grid.hpp"
+#include "engine/dynamics/fixed_points/half_way.hpp"
 #include "lober/dynamics/fixed_points.hpp"
 
 namespace lober::detail {
@@ -17,8 +18,9 @@ void require_scan(const Rectangle& box, const FixedPointOptions& options);
 /// The work that a search may still take: what the map has counted since, or the time.
 class SearchAllowance {
  public:
-  SearchAllowance(const PlanarMap& map, const FixedPointOptions& options)
-      : map_(map), options_(options), begun_(all_work()) {}
+  /// `half_way`: that of the same search, or null.
+  SearchAllowance(const PlanarMap& map, const HalfWayMap* half_way, const FixedPointOptions& options)
+      : map_(map), half_way_(half_way), options_(options), begun_(all_work()) {}
   /// Whether so much more work fits in.
   [[nodiscard]] bool has(double work) const {
     const double done = static_cast<double>(all_work() - begun_);
@@ -34,17 +36,23 @@ class SearchAllowance {
   }
 
  private:
-  [[nodiscard]] std::uint64_t all_work() const { return map_.work() + map_.work_of_derivatives(); }
+  [[nodiscard]] std::uint64_t all_work() const {
+    const std::uint64_t half = half_way_ != nullptr ? half_way_->work() + half_way_->work_of_derivatives() : 0;
+    return map_.work() + map_.work_of_derivatives() + half;
+  }
 
   const PlanarMap& map_;
+  const HalfWayMap* half_way_;
   const FixedPointOptions& options_;
   std::uint64_t begun_;
   Stopwatch watch_;
 };
 
-/// The points that Newton's method finds in the box from the seeds of the grid, sorted by period, x, y; with an
-/// allowance, from the seeds before it ends.
+/// The points that Newton's method finds in the box, sorted by period, x, y: from the seeds of `half_way` on the same
+/// grid, if that is not null, and from those of `grid` unless half_way has images of all its points. With an allowance,
+/// from the seeds before it ends.
 [[nodiscard]] std::vector<FixedPoint> scan(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& options,
-                                           const DisplacementGrid& grid, const SearchAllowance* allowance = nullptr);
+                                           const DisplacementGrid& grid, const HalfWayMap* half_way,
+                                           const SearchAllowance* allowance = nullptr);
 
 }  // namespace lober::detail

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <memory>
 #include <numbers>
 
 #include "engine/dynamics/fixed_points/newton.hpp"
@@ -130,11 +131,13 @@ FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
   require_scan(box, options);
   if (max_grid < options.grid) throw UsageError("the last grid of a search must not be coarser than the first one");
   FixedPointSearch search;
-  const SearchAllowance allowance(map, options);
+  const std::unique_ptr<HalfWayMap> half_way = half_way_map(map);
+  const SearchAllowance allowance(map, half_way.get(), options);
   const double an_image = work_of_image(map, box, options);
   const std::optional<int> edge = index_of_edge(map, box, options, an_image, allowance);
   FixedPointOptions each = options;
-  const auto work_of_grid = [&] { return an_image * each.grid * each.grid; };
+  const double maps = half_way ? 2 : 1;
+  const auto work_of_grid = [&] { return maps * an_image * each.grid * each.grid; };
   constexpr int coarsest_grid = 12;
   while (each.grid > coarsest_grid && work_of_grid() > allowance.part(0.25))
     each.grid = std::max(each.grid / 2, coarsest_grid);
@@ -146,7 +149,7 @@ FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
       return search;
     }
     const DisplacementGrid grid(map, box, each);
-    std::vector<FixedPoint> found = scan(map, box, each, grid, &allowance);
+    std::vector<FixedPoint> found = scan(map, box, each, grid, half_way.get(), &allowance);
     if (!allowance.has(0)) {  // the seeds may not be through: of two scans the one that found more
       search.out_of_work = true;
       if (!first && found.size() < search.points.size()) return search;

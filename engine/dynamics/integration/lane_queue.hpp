@@ -50,6 +50,22 @@ struct SingleTrajectory {
   void lost(std::size_t /*item*/) {}
 };
 
+/// Judges the steps of the first `live` lanes (run_lanes), and fills lanes whose trajectory has ended.
+template <int size, typename Control>
+void judge_lanes(StepBlock<size>& block, Control& control, std::size_t& live) {
+  for (std::size_t lane = 0; lane < live;) {
+    if (control.judge(block, lane) || control.begin(block, lane)) {
+      ++lane;
+      continue;
+    }
+    // The last one takes the place of the one that ended.
+    --live;
+    if (lane == live) break;
+    block.copy_lane(live, lane);
+    control.move(block, live, lane);
+  }
+}
+
 /// Returns how many steps were computed. Control decides about them, one lane at a time and by what is in that lane
 /// only, so that a trajectory has the same bits whatever runs beside it. Throws Cancelled.
 ///
@@ -72,17 +88,7 @@ std::uint64_t run_lanes(const Rhs& rhs, StepBlock<Rhs::size>& block, StepFunctio
     throw_if_cancelled();
     steps(rhs, block, live);
     computed += live;
-    for (std::size_t lane = 0; lane < live;) {
-      if (control.judge(block, lane) || control.begin(block, lane)) {
-        ++lane;
-        continue;
-      }
-      // The last one takes the place of the one that ended.
-      --live;
-      if (lane == live) break;
-      block.copy_lane(live, lane);
-      control.move(block, live, lane);
-    }
+    judge_lanes(block, control, live);
   }
   return computed;
 }

@@ -16,7 +16,13 @@ using StepFunction = void (*)(const Rhs& rhs, StepBlock<Rhs::size>& block, std::
 
 /// Tenths of work (PlanarMap::work) for an evaluation of a field: those of several trajectories at a time count one.
 template <typename Field>
-inline constexpr std::uint64_t tenths_of_work = Field::in_lanes ? 1 : 10;
+std::uint64_t tenths_of_work(const Field& field) {
+  if constexpr (requires { field.tenths(); }) {
+    return field.tenths();
+  } else {
+    return Field::in_lanes ? 1 : 10;
+  }
+}
 
 /// One lane after the other: for right-hand sides that take plain doubles only, or of which one trajectory is wanted.
 template <typename Rhs>

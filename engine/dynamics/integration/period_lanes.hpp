@@ -15,15 +15,16 @@ namespace lober::detail {
 /// Steps are period / 2^level and begin at whole multiples of themselves, so that the forcing is tabulated; each
 /// trajectory has its own level, by its own errors. Queue:
 ///   bool next(std::size_t& item, double* state);     the next trajectory; false: none left
-///   bool arrived(std::size_t item, double* state);   after a period; true: another one, from `state`
+///   bool arrived(std::size_t item, double* state);   after a period, or half of it; true: another one, from `state`
 ///   void lost(std::size_t item);
 template <typename Rhs, typename Field, typename Queue>
 class PeriodLanes {
  public:
-  /// `forward`: the direction of time, +1 or -1.
-  PeriodLanes(const ForcingTable<Field>& table, const IntegrationOptions& options, int guarded, int forward,
+  /// `forward`: the direction of time, +1 or -1. `halves`: the halves of a period that a trajectory is followed for, 1
+  /// or 2.
+  PeriodLanes(const ForcingTable<Field>& table, const IntegrationOptions& options, int guarded, int forward, int halves,
               Queue& queue)
-      : table_(table), options_(options), guarded_(guarded), forward_(forward), queue_(queue) {
+      : table_(table), options_(options), guarded_(guarded), forward_(forward), halves_(halves), queue_(queue) {
     for (int level = 0; level <= deepest_level; ++level) steps_[level] = std::ldexp(forward * table.period(), -level);
   }
 
@@ -50,7 +51,8 @@ class PeriodLanes {
     double state[Rhs::size];
     for (int i = 0; i < Rhs::size; ++i) block.x[i][lane] = state[i] = block.end[i][lane];
     ++here.position;
-    if (here.position == std::int64_t{1} << here.level) {
+    // Half a period ends between steps, as these are no longer than it: level 1 at least.
+    if (2 * here.position == std::int64_t{halves_} << here.level) {
       if (!queue_.arrived(here.item, state)) return false;
       start(block, lane, state);
       return true;
@@ -104,6 +106,7 @@ class PeriodLanes {
   const IntegrationOptions& options_;
   int guarded_;
   int forward_;
+  int halves_;
   Queue& queue_;
   double steps_[deepest_level + 1];  // by level
   Lane lanes_[block_lanes];

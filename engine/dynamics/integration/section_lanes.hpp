@@ -8,6 +8,7 @@
 
 #include "engine/dynamics/integration/lane_queue.hpp"
 #include "engine/dynamics/integration/step_control.hpp"
+#include "engine/dynamics/integration/wide_steps.hpp"
 #include "lober/dynamics/flow.hpp"
 
 namespace lober::detail {
@@ -277,7 +278,7 @@ class SectionLanes {
   /// The distance from the section at which a step of length s ends; its slope is then in probe_.
   double probe(const Lane& here, double s) {
     probe_.h[0] = s;
-    steps_one_by_one(rhs_, probe_, 1);
+    single_step(rhs_, probe_);
     return off(here, probe_.end[axis_][0]);
   }
 

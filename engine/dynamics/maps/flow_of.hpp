@@ -12,6 +12,7 @@
 
 #include "engine/dynamics/integration/section_lanes.hpp"
 #include "engine/dynamics/integration/span_lanes.hpp"
+#include "engine/dynamics/integration/wide_steps.hpp"
 #include "engine/dynamics/maps/section_map.hpp"
 #include "engine/dynamics/maps/stroboscopic_map.hpp"
 #include "lober/base/error.hpp"
@@ -67,10 +68,15 @@ class FlowOf final : public Flow {
     double x[n * (1 + n)];
     copy_with_unit_tangents(state, x);
     SingleTrajectory<n*(1 + n)> trajectory{x};
-    follow(WithTangents<Field, static_cast<int>(n)>{field_}, from, to, options, trajectory);
+    const bool rough = has_rough_derivatives(field_);
+    follow(WithTangents<Field, static_cast<int>(n)>{field_}, from, to,
+           rough ? with_rough_derivatives(options) : options, trajectory);
     if (!trajectory.found) return lost_state();
     derivative = tangents(x);
-    return widened(x);
+    if (!rough) return widened(x);
+    FlowState end = state;
+    integrate({&end, 1}, from, to, options);
+    return end;
   }
 
   FlowState integrate_with_action(const FlowState& state, double from, double to, double& action,
@@ -121,8 +127,10 @@ class FlowOf final : public Flow {
       }
       const AlongFlow<Field> rhs{field_};
       Queue queue{states, times, Arrivals(std::abs(crossings), states.size())};
-      SectionLanes<AlongFlow<Field>, Queue> section_lanes(rhs, section, options, n, crossings < 0 ? -1 : 1, queue);
-      return tenths_of_work<Field> * (step_stages + 1) * run(rhs, options, section_lanes);
+      const auto control = [&] {
+        return SectionLanes<AlongFlow<Field>, Queue>(rhs, section, options, n, crossings < 0 ? -1 : 1, queue);
+      };
+      return tenths_of_work(field_) * (step_stages + 1) * run_queue(rhs, options.tolerance, control);
     } else {
       throw UsageError("crossings of a section are found for autonomous flows only");
     }
@@ -167,17 +175,9 @@ class FlowOf final : public Flow {
 
   template <typename Rhs, typename Queue>
   void follow(const Rhs& rhs, double from, double to, const IntegrationOptions& options, Queue& queue) const {
-    SpanLanes<Rhs, Field, Queue> span_lanes(rhs, field_, from, to, options, n, queue);
-    run(rhs, options, span_lanes);
+    run_queue(rhs, options.tolerance,
+              [&] { return SpanLanes<Rhs, Field, Queue>(rhs, field_, from, to, options, n, queue); });
   }
-  /// Steps of the integrator.
-  template <typename Rhs, typename Control>
-  static std::uint64_t run(const Rhs& rhs, const IntegrationOptions& options, Control& control) {
-    StepBlock<Rhs::size> block{};
-    block.tolerance = options.tolerance;
-    return run_lanes(rhs, block, step_function<Rhs>(), control);
-  }
-
   static FlowState widened(const double* x) {
     FlowState result{};
     std::copy_n(x, n, result.begin());

@@ -12,13 +12,22 @@
 //   double hamiltonian(const double* x, const double* force) const;  called only when pairs() is not empty
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <vector>
 
 #include "engine/dynamics/maps/jet.hpp"
 #include "kernels/inline.hpp"
 #include "lober/dynamics/flow.hpp"
 
 namespace lober::detail {
+
+/// A field that is computed for many points at a time, by the VectorField many(), wide_lanes() trajectories side by
+/// side (integration/wide_steps.hpp).
+template <typename Field>
+concept is_many = requires(const Field& field) {
+  field.many().velocities(0, nullptr, nullptr, nullptr);
+};
 
 /// State: x.
 template <typename Field>
@@ -31,10 +40,27 @@ struct AlongFlow {
   LOBER_INLINE void operator()(const V* x, V* dxdt, const V* force) const {
     field.velocity(x, dxdt, force);
   }
+  void many(std::size_t count, const double* x, const double* t, double* dxdt) const requires is_many<Field> {
+    field.many().velocities(count, x, t, dxdt);
+  }
+  [[nodiscard]] std::size_t wide_lanes() const requires is_many<Field> { return field.wide_lanes(); }
   /// Field::steps, if there is one (lane_steps.hpp).
   static auto own_steps() requires requires { &Field::steps; }
   { return &Field::steps; }
 };
+
+/// Whether the derivatives of a field are those of differences, whose noise steps of small errors would take for
+/// theirs.
+template <typename Field>
+bool has_rough_derivatives(const Field& field) {
+  if constexpr (requires { field.has_rough_derivatives(); }) return field.has_rough_derivatives();
+  return false;
+}
+/// Options for tangent vectors of such a field; points are integrated by themselves.
+inline IntegrationOptions with_rough_derivatives(IntegrationOptions options) {
+  options.tolerance = std::max(options.tolerance, 1e-9);
+  return options;
+}
 
 /// State: x, then M tangent vectors; v' = (d velocity / dx) v.
 template <typename Field, int M>
@@ -57,6 +83,23 @@ struct WithTangents {
       for (int k = 0; k < M; ++k) dxdt[n * (1 + k) + i] = speed[i].slope[k];
     }
   }
+  void many(std::size_t count, const double* x, const double* t, double* dxdt) const requires is_many<Field> {
+    field.many().velocities(count, x, t, dxdt);
+    std::vector<double> jacobian(static_cast<std::size_t>(n * n) * count);
+    field.many().jacobians(count, x, t, jacobian.data());
+    for (std::size_t m = 1; m <= M; ++m) {
+      for (std::size_t i = 0; i < n; ++i) {
+        double* const to = dxdt + (n * m + i) * count;
+        std::fill_n(to, count, 0.0);
+        for (std::size_t j = 0; j < n; ++j) {
+          const double* const slope = jacobian.data() + (i * n + j) * count;
+          const double* const tangent = x + (n * m + j) * count;
+          for (std::size_t k = 0; k < count; ++k) to[k] += slope[k] * tangent[k];
+        }
+      }
+    }
+  }
+  [[nodiscard]] std::size_t wide_lanes() const requires is_many<Field> { return field.wide_lanes(); }
 };
 
 /// State: x, then the integral of p dq, less that of `with_energy` * H dt.
@@ -74,6 +117,20 @@ struct WithAction {
     for (const ConjugatePair& pair : field.pairs()) sum += pair.factor * x[pair.p] * dxdt[pair.q];
     dxdt[n] = with_energy != 0 ? sum - with_energy * field.hamiltonian(x, force) : sum;
   }
+  void many(std::size_t count, const double* x, const double* t, double* dxdt) const requires is_many<Field> {
+    field.many().velocities(count, x, t, dxdt);
+    double* const along = dxdt + n * count;
+    std::fill_n(along, count, 0.0);
+    for (const ConjugatePair& pair : field.pairs()) {
+      const auto q = static_cast<std::size_t>(pair.q), p = static_cast<std::size_t>(pair.p);
+      for (std::size_t k = 0; k < count; ++k) along[k] += pair.factor * x[p * count + k] * dxdt[q * count + k];
+    }
+    if (with_energy == 0) return;
+    std::vector<double> energy(count);
+    field.many().hamiltonians(count, x, t, energy.data());
+    for (std::size_t k = 0; k < count; ++k) along[k] -= with_energy * energy[k];
+  }
+  [[nodiscard]] std::size_t wide_lanes() const requires is_many<Field> { return field.wide_lanes(); }
 };
 
 }  // namespace lober::detail

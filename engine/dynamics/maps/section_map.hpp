@@ -10,8 +10,10 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "engine/dynamics/integration/section_lanes.hpp"
+#include "engine/dynamics/integration/wide_steps.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/maps/right_hand_sides.hpp"
 #include "lober/base/error.hpp"
@@ -148,6 +150,59 @@ class SectionMap final : public PlanarMap {
       : field_(field), chart_(field, section, energy), options_(options) {}
 
   void iterate(std::span<Point> points, int iterates) const override {
+    if (iterates != 0) carry(points, iterates, options_);
+  }
+
+  bool is_defined_at(Point point) const override {
+    typename SectionChart<Field>::State state;
+    return chart_.lift(point, state);
+  }
+
+  Point iterate_with_derivative(Point point, int iterates, Matrix2& derivative) const override {
+    iterate_with_derivatives({&point, 1}, iterates, {&derivative, 1});
+    return point;
+  }
+
+  void iterate_with_derivatives(std::span<Point> points, int iterates, std::span<Matrix2> derivatives) const override {
+    std::fill(derivatives.begin(), derivatives.end(), Matrix2{});
+    if (iterates == 0) return;
+    if (!has_rough_derivatives(field_)) {
+      carry_with_tangents(points, iterates, options_.finer(), derivatives);
+      return;
+    }
+    std::vector<Point> beside(points.size());
+    const int forward = iterates < 0 ? -1 : 1;
+    for (int k = 0; k < std::abs(iterates); ++k) {
+      std::copy(points.begin(), points.end(), beside.begin());
+      carry_with_tangents(beside, forward, with_rough_derivatives(options_), derivatives);
+      carry(points, forward, options_.finer());
+    }
+  }
+
+  [[nodiscard]] std::optional<long double> action(Point from, Point to) const override {
+    const double factor = chart_.chart_factor();
+    State x;
+    if (factor == 0 || !chart_.lift(from, x)) return std::nullopt;
+    double state[n + 1] = {};
+    std::copy(x.begin(), x.end(), state);
+    SingleTrajectory<n + 1> trajectory{state};
+    const IntegrationOptions options = options_.finer();
+    follow(WithAction<Field>{field_, 0}, options, 1, trajectory);
+    if (!trajectory.found) return std::nullopt;
+    return state[n] / static_cast<long double>(factor) +
+           static_cast<long double>(to.y) * (static_cast<long double>(to.x) - chart_.project(state).x);
+  }
+  [[nodiscard]] double action_accuracy() const override { return 10 * options_.finer().tolerance; }
+  [[nodiscard]] std::size_t batch() const override { return wide_batch(AlongFlow<Field>{field_}); }
+  [[nodiscard]] std::unique_ptr<PlanarMap> finer() const override {
+    return std::make_unique<SectionMap>(field_, chart_.section(), chart_.energy(), options_.finer());
+  }
+
+ private:
+  static constexpr std::size_t n = Field::dimension;
+  using State = std::array<double, n>;
+
+  void carry(std::span<Point> points, int iterates, const IntegrationOptions& options) const {
     // Each return begins anew from the point, so that two returns are exactly twice one.
     struct Queue {
       const SectionChart<Field>& chart;
@@ -180,23 +235,14 @@ class SectionMap final : public PlanarMap {
         return true;
       }
     };
-    if (iterates == 0) return;
     Queue queue{chart_, points, Arrivals(std::abs(iterates), points.size())};
-    add_tenths_of_work(tenths_of_work<Field> *
-                       follow(AlongFlow<Field>{field_}, options_, iterates < 0 ? -1 : 1, queue));
+    add_tenths_of_work(tenths_of_work(field_) *
+                       follow(AlongFlow<Field>{field_}, options, iterates < 0 ? -1 : 1, queue));
   }
 
-  bool is_defined_at(Point point) const override {
-    typename SectionChart<Field>::State state;
-    return chart_.lift(point, state);
-  }
-
-  Point iterate_with_derivative(Point point, int iterates, Matrix2& derivative) const override {
-    iterate_with_derivatives({&point, 1}, iterates, {&derivative, 1});
-    return point;
-  }
-
-  void iterate_with_derivatives(std::span<Point> points, int iterates, std::span<Matrix2> derivatives) const override {
+  /// Multiplies the derivatives of the returns to `derivatives`.
+  void carry_with_tangents(std::span<Point> points, int iterates, const IntegrationOptions& options,
+                           std::span<Matrix2> derivatives) const {
     struct Queue {
       const SectionMap& map;
       std::span<Point> points;
@@ -224,36 +270,11 @@ class SectionMap final : public PlanarMap {
         return false;
       }
     };
-    std::fill(derivatives.begin(), derivatives.end(), Matrix2{});
-    if (iterates == 0) return;
     Queue queue{*this, points, derivatives, Arrivals(std::abs(iterates), points.size())};
-    const IntegrationOptions options = options_.finer();
     // Two tangent vectors beside each point.
-    add_tenths_of_derivatives(3 * tenths_of_work<Field> *
+    add_tenths_of_derivatives(3 * tenths_of_work(field_) *
                               follow(WithTangents<Field, 2>{field_}, options, iterates < 0 ? -1 : 1, queue));
   }
-
-  [[nodiscard]] std::optional<long double> action(Point from, Point to) const override {
-    const double factor = chart_.chart_factor();
-    State x;
-    if (factor == 0 || !chart_.lift(from, x)) return std::nullopt;
-    double state[n + 1] = {};
-    std::copy(x.begin(), x.end(), state);
-    SingleTrajectory<n + 1> trajectory{state};
-    const IntegrationOptions options = options_.finer();
-    follow(WithAction<Field>{field_, 0}, options, 1, trajectory);
-    if (!trajectory.found) return std::nullopt;
-    return state[n] / static_cast<long double>(factor) +
-           static_cast<long double>(to.y) * (static_cast<long double>(to.x) - chart_.project(state).x);
-  }
-  [[nodiscard]] double action_accuracy() const override { return 10 * options_.finer().tolerance; }
-  [[nodiscard]] std::unique_ptr<PlanarMap> finer() const override {
-    return std::make_unique<SectionMap>(field_, chart_.section(), chart_.energy(), options_.finer());
-  }
-
- private:
-  static constexpr std::size_t n = Field::dimension;
-  using State = std::array<double, n>;
 
   /// The state of a point of the section, and the tangent vectors of the chart there. False: there is none.
   bool begin_with_tangents(Point point, double* state) const {
@@ -284,10 +305,9 @@ class SectionMap final : public PlanarMap {
   /// Evaluations of the field.
   template <typename Rhs, typename Queue>
   std::uint64_t follow(const Rhs& rhs, const IntegrationOptions& options, int forward, Queue& queue) const {
-    StepBlock<Rhs::size> block{};
-    block.tolerance = options.tolerance;
-    SectionLanes<Rhs, Queue> section_lanes(rhs, chart_.section(), options, n, forward, queue);
-    return (step_stages + 1) * run_lanes(rhs, block, step_function<Rhs>(), section_lanes);
+    return (step_stages + 1) * run_queue(rhs, options.tolerance, [&] {
+             return SectionLanes<Rhs, Queue>(rhs, chart_.section(), options, n, forward, queue);
+           });
   }
 
   Field field_;

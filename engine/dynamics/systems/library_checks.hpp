@@ -1,9 +1,10 @@
-// Whether the functions of a shared library belong together (private to systems/).
+// Whether the functions of a system of one's own belong together (private to systems/).
 #pragma once
 
 #include <span>
 
 #include "lober/dynamics/systems.hpp"
+#include "lober/dynamics/vector_field.hpp"
 #include "lober/lober_system.h"
 
 namespace lober::detail {
@@ -13,8 +14,9 @@ namespace lober::detail {
 /// all of them. Throws DataError that names the first discrepancy, its place and both numbers. Takes microseconds.
 void check_library_map(const lober_system& system, const System& made, std::span<const double> parameters);
 
-/// Compares, in the same way, the Jacobian of a flow with finite differences, what its Hamiltonian says of the velocity
-/// and velocity_batch with the velocity; and whether the velocity repeats after the lattice and the period.
-void check_library_flow(const lober_system& system, const System& made, std::span<const double> parameters);
+/// Compares, in the same way, the Jacobian of a field with finite differences, what its Hamiltonian says of the
+/// velocity and velocities of several points with those of one; and whether they repeat after the lattice and the
+/// period. `made` is the system, with its name, flow, window and section, `energy` that of the section.
+void check_flow(const VectorField& field, const System& made, double energy);
 
 }  // namespace lober::detail

@@ -10,7 +10,6 @@
 #include "engine/base/text.hpp"
 #include "lober/base/error.hpp"
 #include "lober/dynamics/systems.hpp"
-#include "lober/lober_system.h"
 
 namespace lober::detail {
 
@@ -19,8 +18,8 @@ inline constexpr double difference_accuracy = 1e-4;
 inline constexpr double symmetry_accuracy = 1e-6;  // after a shift by the lattice, or by the period in time
 
 /// "system NAME: ".
-inline std::string system_prefix(const lober_system& system) {
-  return std::string("system ") + system.name + ": ";
+inline std::string system_prefix(const std::string& name) {
+  return "system " + name + ": ";
 }
 
 struct NamedNumber {
@@ -28,8 +27,8 @@ struct NamedNumber {
   double value;
 };
 /// Throws DataError: "system NAME: WHAT is wrong at WHERE: GIVEN, but EXPECTED", both with their numbers.
-[[noreturn]] inline void throw_discrepancy(const lober_system& system, const std::string& what,
-                                           const std::string& where, NamedNumber given, NamedNumber expected) {
+[[noreturn]] inline void throw_discrepancy(const std::string& system, const std::string& what, const std::string& where,
+                                           NamedNumber given, NamedNumber expected) {
   throw DataError(system_prefix(system) + what + " is wrong at " + where + ": " + given.name + " " +
                   format_number(given.value) + ", but " + expected.name + " " + format_number(expected.value));
 }

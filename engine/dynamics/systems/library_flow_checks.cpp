@@ -1,4 +1,4 @@
-// Whether the functions of a library's flow belong together: its velocity, Jacobian, Hamiltonian, period and lattice.
+// Whether the functions of a vector field belong together: its velocity, Jacobian, Hamiltonian, period and lattice.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,20 +16,20 @@ namespace {
 
 class FlowChecks {
  public:
-  FlowChecks(const lober_system& system, const System& made, std::span<const double> parameters)
-      : system_(system),
+  FlowChecks(const VectorField& field, const System& made)
+      : field_(field),
         made_(made),
-        flow_(*system.flow),
-        parameters_(parameters.data()),
-        dimension_(static_cast<std::size_t>(flow_.dimension)) {}
+        name_(made.info.name),
+        hamiltonian_(!field.conjugate_pairs().empty()),
+        dimension_(static_cast<std::size_t>(field.dimension())) {}
 
   void at(const FlowState& x, double t) {
     const FlowState speed = velocity(x, t);
     if (!finite(x) || !finite(speed)) return;
     ++velocities_;
-    check_jacobian(x, t);
-    if (flow_.hamiltonian != nullptr) check_hamiltonian(x, t, speed);
-    if (system_.abi >= 3 && flow_.velocity_batch != nullptr) check_batch(x, t, speed);
+    if (field_.has_jacobian()) check_jacobian(x, t);
+    if (hamiltonian_) check_hamiltonian(x, t, speed);
+    if (field_.batch() > 1) check_batch(x, t, speed);
     if (made_.flow->period() > 0) {
       check_same(x, t, speed, x, t + made_.flow->period(), "a period of " + format_number(made_.flow->period()));
     }
@@ -44,21 +44,21 @@ class FlowChecks {
   void require_numbers() const {
     const auto need = [&](std::size_t found, const char* what) {
       if (velocities_ == 0 || found > 0) return;
-      throw DataError(system_prefix(system_) + what +
+      throw DataError(system_prefix(name_) + what +
                       " fails, or gives no number, at all points of the window that have a velocity");
     };
-    need(jacobians_, "jacobian");
-    if (flow_.hamiltonian != nullptr && flow_.pair_count > 0) need(energies_, "hamiltonian, or a factor of its pairs,");
+    if (field_.has_jacobian()) need(jacobians_, "jacobian");
+    if (hamiltonian_) need(energies_, "hamiltonian, or a factor of its pairs,");
   }
 
  private:
   [[nodiscard]] FlowState velocity(const FlowState& x, double t) const {
     FlowState speed{};
-    if (flow_.velocity(parameters_, x.data(), t, speed.data()) != 0) speed.fill(std::nan(""));
+    field_.velocities(1, x.data(), &t, speed.data());
     return speed;
   }
   [[nodiscard]] bool finite(const FlowState& x) const {
-    return std::all_of(x.begin(), x.begin() + flow_.dimension, [](double value) { return std::isfinite(value); });
+    return std::all_of(x.begin(), x.begin() + field_.dimension(), [](double value) { return std::isfinite(value); });
   }
   [[nodiscard]] double size(const FlowState& x) const {
     double largest = 0;
@@ -78,7 +78,7 @@ class FlowChecks {
     if (!finite(other)) return;
     for (std::size_t k = 0; k < dimension_; ++k) {
       if (std::fabs(other[k] - speed[k]) <= symmetry_accuracy * (size(speed) + size(other))) continue;
-      throw DataError(system_prefix(system_) + "the velocity does not repeat after " + shift + ": component " +
+      throw DataError(system_prefix(name_) + "the velocity does not repeat after " + shift + ": component " +
                       std::to_string(k) + " is " + format_number(speed[k]) + " at " + position_text(x, t) + ", but " +
                       format_number(other[k]) + " at " + position_text(there, then));
     }
@@ -86,7 +86,7 @@ class FlowChecks {
 
   void check_jacobian(const FlowState& x, double t) {
     std::vector<double> jacobian(dimension_ * dimension_);
-    if (flow_.jacobian(parameters_, x.data(), t, jacobian.data()) != 0) return;
+    field_.jacobians(1, x.data(), &t, jacobian.data());
     if (!std::all_of(jacobian.begin(), jacobian.end(), [](double entry) { return std::isfinite(entry); })) return;
     ++jacobians_;
     double largest = 0;
@@ -102,9 +102,9 @@ class FlowChecks {
             x[j], size_within(extent_of(made_.window), size(x)));
         const double given = jacobian[i * dimension_ + j];
         if (differs(given, slope, largest)) {
-          throw_discrepancy(
-              system_, "the Jacobian d(velocity " + std::to_string(i) + ")/d(x " + std::to_string(j) + ")",
-              position_text(x, t), {"it is", given}, {"finite differences of velocity give", slope.value});
+          throw_discrepancy(name_, "the Jacobian d(velocity " + std::to_string(i) + ")/d(x " + std::to_string(j) + ")",
+                            position_text(x, t), {"it is", given},
+                            {"finite differences of velocity give", slope.value});
         }
       }
     }
@@ -112,16 +112,17 @@ class FlowChecks {
 
   // factor dq/dt = dH/dp, factor dp/dt = -dH/dq.
   void check_hamiltonian(const FlowState& x, double t, const FlowState& speed) {
-    for (std::size_t k = 0; k < flow_.pair_count; ++k) {
-      const lober_conjugate_pair& pair = flow_.pairs[k];
-      const double factor = pair.factor != nullptr ? pair.factor(parameters_) : 1;
+    for (const ConjugatePair& pair : field_.conjugate_pairs()) {
+      const double factor = pair.factor;
       const auto slope = [&](int coordinate) {
         const auto j = static_cast<std::size_t>(coordinate);
         return slope_of(
             [&](double value) {
               FlowState moved = x;
               moved[j] = value;
-              return flow_.hamiltonian(parameters_, moved.data(), t);
+              double energy = std::nan("");
+              field_.hamiltonians(1, moved.data(), &t, &energy);
+              return energy;
             },
             x[j], size_within(extent_of(made_.window), size(x)));
       };
@@ -131,7 +132,7 @@ class FlowChecks {
         if (std::isfinite(expected.value) && std::isfinite(factor)) ++energies_;
         const double given = factor * speed[static_cast<std::size_t>(moving)];
         if (differs(given, expected, std::fabs(factor) * size(speed))) {
-          throw_discrepancy(system_, "the Hamiltonian, or the velocity " + std::to_string(moving) + ",",
+          throw_discrepancy(name_, "the Hamiltonian, or the velocity " + std::to_string(moving) + ",",
                             position_text(x, t), {sign > 0 ? "dH/dp is" : "-dH/dq is", expected.value},
                             {"the velocity times its factor is", given});
         }
@@ -149,30 +150,28 @@ class FlowChecks {
       from[2 * k + 1] = x[k];
     }
     const std::array<double, 2> times{0.5 * t, t};
-    flow_.velocity_batch(parameters_, 2, from.data(), times.data(), to.data());
+    field_.velocities(2, from.data(), times.data(), to.data());
     for (std::size_t k = 0; k < dimension_; ++k) {
       if (std::fabs(to[2 * k + 1] - speed[k]) <= 1e-9 * (1 + size(speed))) continue;
-      throw_discrepancy(system_, "velocity_batch, component " + std::to_string(k) + ",", position_text(x, t),
+      throw_discrepancy(name_, "velocity_batch, component " + std::to_string(k) + ",", position_text(x, t),
                         {"it is", to[2 * k + 1]}, {"velocity gives", speed[k]});
     }
   }
 
-  const lober_system& system_;
+  const VectorField& field_;
   const System& made_;
-  const lober_flow& flow_;
-  const double* parameters_;
+  const std::string& name_;
+  bool hamiltonian_;
   std::size_t dimension_;
   std::size_t velocities_ = 0, jacobians_ = 0, energies_ = 0;  // points that have them
 };
 
 // Points of a plane flow lie in the window, those of a return map on the section; of others nothing is known.
-std::vector<FlowState> flow_states(const lober_system& system, const System& made, std::span<const double> parameters) {
+std::vector<FlowState> flow_states(const System& made, double energy) {
   std::vector<FlowState> states;
   for (const Point& z : window_points(made.window)) {
     if (made.section) {
-      const int energy = system.flow->section->energy_parameter;
-      states.push_back(
-          made.flow->on_section(*made.section, energy < 0 ? 0 : parameters[static_cast<std::size_t>(energy)], z));
+      states.push_back(made.flow->on_section(*made.section, energy, z));
     } else {
       states.push_back({z.x, z.y, 0.3 * z.x - 0.2 * z.y, 0.1 * z.x + 0.4 * z.y, 0.2 * z.x, 0.3 * z.y});
     }
@@ -182,10 +181,10 @@ std::vector<FlowState> flow_states(const lober_system& system, const System& mad
 
 }  // namespace
 
-void check_library_flow(const lober_system& system, const System& made, std::span<const double> parameters) {
-  FlowChecks checks(system, made, parameters);
+void check_flow(const VectorField& field, const System& made, double energy) {
+  FlowChecks checks(field, made);
   const double period = made.flow->period();
-  for (const FlowState& x : flow_states(system, made, parameters)) {
+  for (const FlowState& x : flow_states(made, energy)) {
     for (const double phase : {0.0, 0.3}) {
       checks.at(x, phase * period);
       if (period == 0) break;

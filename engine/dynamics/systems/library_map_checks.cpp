@@ -38,7 +38,7 @@ class MapChecks {
   // A function that never gives a number is a slip; one that fails at some points may be right.
   void require_numbers() const {
     if (images_ == 0 || derivatives_ > 0) return;
-    throw DataError(system_prefix(system_) +
+    throw DataError(system_prefix(system_.name) +
                     "derivative fails, or gives no number, at all points of the window that have images");
   }
 
@@ -61,7 +61,7 @@ class MapChecks {
           },
           by_x ? z.x : z.y, size_within(extent_of(made_.window), length(z)));
       if (differs(d[k], slope, size)) {
-        throw_discrepancy(system_, std::string("the derivative ") + names[k], format_point(z), {"it is", d[k]},
+        throw_discrepancy(system_.name, std::string("the derivative ") + names[k], format_point(z), {"it is", d[k]},
                           {"finite differences of forward give", slope.value});
       }
     }
@@ -70,7 +70,7 @@ class MapChecks {
   void check_inverse(Point z, Point image, const std::array<double, 4>& d) const {
     const Point back = apply(map_.backward, image);
     if (!is_finite(back)) {
-      throw DataError(system_prefix(system_) + "backward fails at " + format_point(image) + ", the image of " +
+      throw DataError(system_prefix(system_.name) + "backward fails at " + format_point(image) + ", the image of " +
                       format_point(z));
     }
     // The inverse stretches the rounding of the image.
@@ -79,7 +79,7 @@ class MapChecks {
     const double stretch = determinant > 0 ? 1 + norm / determinant : 1 / difference_accuracy;
     const double gap = length({back.x - z.x, back.y - z.y});
     if (gap <= inverse_accuracy * stretch * (size_within(extent_of(made_.window), length(z)) + length(image))) return;
-    throw DataError(system_prefix(system_) + "backward is not the inverse of forward: it takes the image of " +
+    throw DataError(system_prefix(system_.name) + "backward is not the inverse of forward: it takes the image of " +
                     format_point(z) + " to " + format_point(back));
   }
 
@@ -90,7 +90,7 @@ class MapChecks {
     const double stretch = 1 + std::fabs(d[0]) + std::fabs(d[1]) + std::fabs(d[2]) + std::fabs(d[3]);
     const double gap = length({there.x - image.x - shift.x, there.y - image.y - shift.y});
     if (gap <= symmetry_accuracy * stretch * (length(shift) + length(image))) return;
-    throw DataError(system_prefix(system_) + "the map does not repeat after the shift " + format_point(shift) +
+    throw DataError(system_prefix(system_.name) + "the map does not repeat after the shift " + format_point(shift) +
                     " of its lattice: it takes " + format_point(z) + " to " + format_point(image) +
                     ", and the shifted point to " + format_point(there));
   }
@@ -101,10 +101,12 @@ class MapChecks {
     const Slope to = slope_of([&](double x) { return map_.action(parameters_, z.x, x); }, image.x, scale);
     const Slope from = slope_of([&](double x) { return map_.action(parameters_, x, image.x); }, z.x, scale);
     if (differs(image.y, to, 1)) {
-      throw_discrepancy(system_, "the action L(x, x')", format_point(z), {"dL/dx' is", to.value}, {"y' is", image.y});
+      throw_discrepancy(system_.name, "the action L(x, x')", format_point(z), {"dL/dx' is", to.value},
+                        {"y' is", image.y});
     }
     if (differs(-z.y, from, 1)) {
-      throw_discrepancy(system_, "the action L(x, x')", format_point(z), {"dL/dx is", from.value}, {"-y is", -z.y});
+      throw_discrepancy(system_.name, "the action L(x, x')", format_point(z), {"dL/dx is", from.value},
+                        {"-y is", -z.y});
     }
   }
 

@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "engine/dynamics/maps/flow_of.hpp"
 #include "engine/dynamics/maps/formula_map.hpp"
 #include "engine/dynamics/systems/entries.hpp"
 #include "engine/dynamics/systems/library_checks.hpp"
 #include "lober/base/error.hpp"
+#include "lober/dynamics/vector_field.hpp"
 
 namespace lober::detail {
 
@@ -66,16 +66,12 @@ class LoadedMapWithAction : public LoadedMap {
   }
 };
 
-/// A flow of a library as a field (right_hand_sides.hpp), which gets the time if it is periodic.
-template <int N, bool periodic>
-class LoadedField {
+/// The vector field of a library.
+class LoadedField final : public VectorField {
  public:
-  static constexpr int dimension = N;
-  static constexpr std::size_t forcings = periodic ? 1 : 0;
-  static constexpr bool in_lanes = false;
-
-  explicit LoadedField(Loaded loaded) : loaded_(std::make_shared<const Loaded>(std::move(loaded))) {
-    const lober_flow& flow = *loaded_->system->flow;
+  explicit LoadedField(Loaded loaded) : loaded_(std::move(loaded)) {
+    const lober_flow& flow = given();
+    if (flow.period != nullptr) period_ = flow.period(parameters());
     if (flow.hamiltonian == nullptr) return;
     for (std::size_t k = 0; k < flow.pair_count; ++k) {
       const lober_conjugate_pair& pair = flow.pairs[k];
@@ -83,85 +79,51 @@ class LoadedField {
     }
   }
 
-  [[nodiscard]] double period() const {
-    if constexpr (!periodic) return 0;
-    return loaded_->system->flow->period(parameters());
-  }
-  void forcing(double t, double* force) const {
-    if constexpr (periodic) force[0] = t;
-  }
-  [[nodiscard]] std::span<const ConjugatePair> pairs() const { return pairs_; }
-  void velocity(const double* x, double* dxdt, const double* force) const {
-    if (loaded_->system->flow->velocity(parameters(), x, time(force), dxdt) != 0) std::fill_n(dxdt, N, nan);
-  }
-  /// The velocities at several points, by velocity_batch.
-  template <int elements, InstructionSet isa>
-  void velocity(const Wide<elements, isa>* x, Wide<elements, isa>* dxdt, const Wide<elements, isa>* force) const {
-    double from[N][elements], to[N][elements], t[elements] = {};
-    for (int i = 0; i < N; ++i) store_number(from[i], x[i]);
-    if constexpr (periodic) store_number(t, force[0]);
-    loaded_->system->flow->velocity_batch(parameters(), elements, from[0], t, to[0]);
-    for (int i = 0; i < N; ++i) dxdt[i] = load_number<Wide<elements, isa>>(to[i]);
-  }
-  template <int M>
-  void velocity(const Jet<M, double>* x, Jet<M, double>* dxdt, const double* force) const {
-    std::array<double, N> at{}, speed{};
-    std::array<double, static_cast<std::size_t>(N * N)> jacobian{};
-    for (std::size_t i = 0; i < N; ++i) at[i] = x[i].value;
-    velocity(at.data(), speed.data(), force);
-    if (loaded_->system->flow->jacobian(parameters(), at.data(), time(force), jacobian.data()) != 0) jacobian.fill(nan);
-    for (std::size_t i = 0; i < N; ++i) {
-      dxdt[i] = Jet<M>(speed[i]);
-      for (std::size_t j = 0; j < N; ++j) {
-        for (int k = 0; k < M; ++k) dxdt[i].slope[k] += jacobian[i * N + j] * x[j].slope[k];
-      }
-    }
-  }
-  /// Steps of trajectories: eight at a time if there is a velocity_batch, however many are wanted, so that each has the
-  /// same bits in any company.
-  static void steps(const AlongFlow<LoadedField>& rhs, StepBlock<N>& block, std::size_t count) {
-    const lober_system& system = *rhs.field.loaded_->system;
-    if (system.abi < 3 || system.flow->velocity_batch == nullptr) {
-      steps_one_by_one(rhs, block, count);
+  [[nodiscard]] int dimension() const override { return given().dimension; }
+  [[nodiscard]] double period() const override { return period_; }
+  [[nodiscard]] std::span<const ConjugatePair> conjugate_pairs() const override { return pairs_; }
+  void velocities(std::size_t count, const double* x, const double* t, double* dxdt) const override {
+    if (count > 1 && batch() > 1) {
+      given().velocity_batch(parameters(), count, x, t, dxdt);
     } else {
-      extrapolation_step<Wide<block_lanes, InstructionSet::baseline>>(rhs, block, 0);
+      each(given().velocity, count, x, t, static_cast<std::size_t>(dimension()), dxdt);
     }
   }
-  double hamiltonian(const double* x, const double* force) const {
-    return loaded_->system->flow->hamiltonian(parameters(), x, time(force));
+  void jacobians(std::size_t count, const double* x, const double* t, double* jacobian) const override {
+    each(given().jacobian, count, x, t, static_cast<std::size_t>(dimension() * dimension()), jacobian);
+  }
+  [[nodiscard]] bool has_jacobian() const override { return true; }
+  void hamiltonians(std::size_t count, const double* x, const double* t, double* h) const override {
+    const auto value = [this](const double* parameters, const double* at, double time, double* to) {
+      *to = given().hamiltonian(parameters, at, time);
+      return 0;
+    };
+    each(value, count, x, t, 1, h);
+  }
+  [[nodiscard]] std::size_t batch() const override {
+    return loaded_.system->abi >= 3 && given().velocity_batch != nullptr ? 8 : 1;
   }
 
  private:
-  static double time(const double* force) {
-    if constexpr (!periodic) return 0;
-    return force[0];
-  }
-  [[nodiscard]] const double* parameters() const { return loaded_->parameters.data(); }
+  [[nodiscard]] const lober_flow& given() const { return *loaded_.system->flow; }
+  [[nodiscard]] const double* parameters() const { return loaded_.parameters.data(); }
 
-  std::shared_ptr<const Loaded> loaded_;
+  /// Calls a function of one point, which gives `numbers` numbers, for each of some points.
+  template <typename Function>
+  void each(const Function& function, std::size_t count, const double* x, const double* t, std::size_t numbers,
+            double* to) const {
+    double at[LOBER_MAX_DIMENSION] = {}, found[LOBER_MAX_DIMENSION * LOBER_MAX_DIMENSION] = {};
+    for (std::size_t k = 0; k < count; ++k) {
+      for (std::size_t i = 0; i < static_cast<std::size_t>(dimension()); ++i) at[i] = x[i * count + k];
+      if (function(parameters(), at, t[k], found) != 0) std::fill_n(found, numbers, nan);
+      for (std::size_t i = 0; i < numbers; ++i) to[i * count + k] = found[i];
+    }
+  }
+
+  Loaded loaded_;
+  double period_ = 0;
   std::vector<ConjugatePair> pairs_;
 };
-
-template <bool periodic>
-std::shared_ptr<const Flow> make_flow(Loaded loaded) {
-  const auto of_dimension = [&]<int N>() -> std::shared_ptr<const Flow> {
-    return std::make_shared<FlowOf<LoadedField<N, periodic>>>(LoadedField<N, periodic>(std::move(loaded)));
-  };
-  switch (loaded.system->flow->dimension) {
-    case 1:
-      return of_dimension.template operator()<1>();
-    case 2:
-      return of_dimension.template operator()<2>();
-    case 3:
-      return of_dimension.template operator()<3>();
-    case 4:
-      return of_dimension.template operator()<4>();
-    case 5:
-      return of_dimension.template operator()<5>();
-    default:
-      return of_dimension.template operator()<6>();
-  }
-}
 
 Section section_of(const lober_section& section, unsigned abi) {
   return {.coordinate = section.coordinate,
@@ -176,24 +138,16 @@ Section section_of(const lober_section& section, unsigned abi) {
           .period = abi >= 4 ? section.period : 0};
 }
 
-/// Sets the planar map of a flow, if its description says which.
-void set_map(System& made, const lober_system& system, std::span<const double> values,
-             const IntegrationOptions& options) {
-  const lober_flow& flow = *system.flow;
-  if (flow.section != nullptr) {
-    const int energy = flow.section->energy_parameter;
-    made.section = section_of(*flow.section, system.abi);
-    made.map =
-        made.flow->section_map(*made.section, energy < 0 ? 0 : values[static_cast<std::size_t>(energy)], options);
-  } else if (flow.dimension == 2 && flow.period != nullptr) {
-    if (!(made.flow->period() > 0))
-      throw UsageError(std::string("system ") + system.name + ": its period is not positive");
-    double phase = 0;
-    for (std::size_t k = 0; k < system.parameter_count; ++k) {
-      if (std::string_view(system.parameters[k].name) == "phase") phase = values[k];
-    }
-    made.map = made.flow->stroboscopic_map(phase, options);
+/// The map of a flow, where its description says which.
+FieldMap field_map_of(const lober_system& system, std::span<const double> values) {
+  FieldMap how;
+  if (system.flow->section != nullptr && system.flow->section->energy_parameter >= 0) {
+    how.energy = values[static_cast<std::size_t>(system.flow->section->energy_parameter)];
   }
+  for (std::size_t k = 0; k < system.parameter_count; ++k) {
+    if (std::string_view(system.parameters[k].name) == "phase") how.phase = values[k];
+  }
+  return how;
 }
 
 Point point_of(const double (&numbers)[2]) {
@@ -230,30 +184,24 @@ void set_connections(System& made, const lober_system& system, std::span<const d
   made.further_needed = system.all_bound_region_1 != 0;
 }
 
-/// Options whose limit for lost trajectories is far outside the window, in whatever units that is.
-IntegrationOptions reaching_beyond(const Rectangle& window, IntegrationOptions options) {
-  const double farthest =
-      std::max({std::fabs(window.min_x), std::fabs(window.max_x), std::fabs(window.min_y), std::fabs(window.max_y)});
-  if (options.escape == IntegrationOptions{}.escape) options.escape = std::max(options.escape, 1e3 * farthest);
-  return options;
-}
-
 }  // namespace
 
 System make_loaded_system(const Library& library, const lober_system& system, std::span<const double> values,
                           const IntegrationOptions& options) {
   const Loaded loaded{library, &system, {values.begin(), values.end()}};
   System made;
+  made.info.name = system.name;
   made.window = window(system.window[0], system.window[1], system.window[2], system.window[3]);
   made.lattice = {system.lattice[0], system.lattice[1]};
   if (system.abi >= 4) made.second_lattice = {system.second_lattice[0], system.second_lattice[1]};
   set_connections(made, system, values);
   if (system.kind == LOBER_FLOW) {
-    const bool periodic = system.flow->period != nullptr && system.flow->period(values.data()) != 0;
-    made.flow = periodic ? make_flow<true>(loaded) : make_flow<false>(loaded);
-    set_map(made, system, values, reaching_beyond(made.window, options));
-    check_library_flow(system, made, values);
-    return made;
+    const lober_flow& flow = *system.flow;
+    if (flow.dimension == 2 && flow.section == nullptr && flow.period != nullptr && !(flow.period(values.data()) > 0)) {
+      throw UsageError("system " + made.info.name + ": its period is not positive");
+    }
+    if (flow.section != nullptr) made.section = section_of(*flow.section, system.abi);
+    return make_system(std::make_shared<LoadedField>(loaded), std::move(made), field_map_of(system, values), options);
   }
   if (system.map->action != nullptr) {
     made.map = std::make_shared<FormulaMap<LoadedMapWithAction>>(LoadedMapWithAction(loaded));

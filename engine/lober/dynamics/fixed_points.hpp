@@ -69,7 +69,9 @@ struct FixedPointOptions {
 
 /// The points in a box, each once, sorted by period, x, y. Newton's method starts in each cell of a grid on whose
 /// corners both components of f^period(z) - z - shift change sign, and at each grid point where its length is least
-/// among its neighbours: it finds every point that the grid resolves. Points whose least period divides `period` are
+/// among its neighbours: it finds every point that the grid resolves. Where the steps of the map have halves
+/// (PlanarMap::half) half a way on is compared with half a way back instead, so that a saddle of multiplier lambda asks
+/// for a grid as fine as 1 / sqrt(lambda), not 1 / lambda. Points whose least period divides `period` are
 /// among them. Throws DataError, with the point of the smallest displacement, when there is none.
 [[nodiscard]] LOBER_API std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Rectangle& box,
                                                                   const FixedPointOptions& options = {});

@@ -63,6 +63,11 @@ class LOBER_API PlanarMap {
 
   /// The same map integrated to a hundredth of the tolerance; nothing for a map that is given by formulas.
   [[nodiscard]] virtual std::unique_ptr<PlanarMap> finer() const { return nullptr; }
+  /// The flow whose step this map is, counted in halves of a step: n iterates from a point take n / 2 steps of time,
+  /// those of negative n back in time. A point has f^k(z) = z exactly where half a way on and half a way back meet,
+  /// half()->iterate(z, k) and half()->iterate(z, -k), each of which stretches by the square root only. Nothing for
+  /// maps whose steps are not known to have halves.
+  [[nodiscard]] virtual std::unique_ptr<PlanarMap> half() const { return nullptr; }
   /// Evaluations of a vector field that `iterate` has taken so far, in all threads together; those of several points at
   /// a time count a tenth, about their cost. 0 for a map that is given by formulas. The number is the same for the same
   /// points, however they are shared out, on every processor.

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/dynamics/dynamics.hpp"
+#include "engine/dynamics/maps/plane.hpp"
 #include "kernels/box.hpp"
 #include "lober/base/error.hpp"
 
@@ -106,6 +107,63 @@ TEST(FixedPoints, ScanFindsThePointsOfFlows) {
     near_equilibria += std::abs(p.at.x - std::round(p.at.x)) < 0.05 && std::abs(p.at.y) < 0.05 ? 1 : 0;
   }
   EXPECT_EQ(near_equilibria, 3);
+}
+
+// The saddle of a double well that is rocked once in 2 pi has a multiplier of about e^(2 pi): Newton's method for the
+// whole period finds it from a thousandth of the well only, from where the grids here have no point.
+TEST(FixedPoints, ScanFindsSaddlesOfLargeMultipliers) {
+  for (const double eps : {0.02, 0.05, 0.1, 0.15, 0.2}) {
+    const System duffing = make_system("duffing", {{"eps", eps}});
+    for (const int grid : {32, 48}) {
+      SCOPED_TRACE(std::to_string(eps) + " on a grid of " + std::to_string(grid));
+      const std::vector<FixedPoint> points =
+          find_fixed_points(*duffing.map, Box::of({-2, -1.7}, {2, 1.9}), {.grid = grid});
+      EXPECT_EQ(points.size(), 9U);
+      int strong = 0;
+      for (const FixedPoint& p : points) {
+        if (p.kind != FixedPointKind::saddle || std::abs(p.at.x + eps / 2) > 0.01) continue;
+        ++strong;
+        EXPECT_GT(p.multipliers[0].real(), 500);
+        EXPECT_LT(p.residual, 1e-12);
+      }
+      EXPECT_EQ(strong, 1);
+    }
+  }
+}
+
+// Half a period on and another half make one; so do those back.
+TEST(FixedPoints, HalvesOfAPeriodMakeAPeriod) {
+  for (const char* const name : {"duffing", "ovp", "double-gyre"}) {
+    SCOPED_TRACE(name);
+    const System system = make_system(name), later = make_system(name, {{"phase", 0.5}});
+    const auto half = system.map->half(), later_half = later.map->half();
+    ASSERT_TRUE(half && later_half);
+    const std::vector<Point> from{{0.31, 0.07}, {1.2, 0.05}};
+    for (const int sign : {1, -1}) {
+      std::vector<Point> at = from, at_once = from, three = from;
+      half->iterate(at, sign);
+      later_half->iterate(at, sign);
+      system.map->iterate(at_once, sign);
+      half->iterate(three, 3 * sign);
+      for (std::size_t k = 0; k < at.size(); ++k) {
+        EXPECT_NEAR(at[k].x, at_once[k].x, 1e-9);
+        EXPECT_NEAR(at[k].y, at_once[k].y, 1e-9);
+      }
+      std::vector<Matrix2> product(from.size()), straight(from.size()), second(from.size());
+      std::vector<Point> moved = from, whole = from;
+      half->iterate_with_derivatives(moved, sign, product);
+      later_half->iterate_with_derivatives(moved, sign, second);
+      system.map->iterate_with_derivatives(whole, sign, straight);
+      for (std::size_t k = 0; k < from.size(); ++k) {
+        const Matrix2 both = second[k] * product[k];
+        EXPECT_NEAR(both.xx, straight[k].xx, 1e-8 * (1 + std::abs(straight[k].xx)));
+        EXPECT_NEAR(both.yx, straight[k].yx, 1e-8 * (1 + std::abs(straight[k].yx)));
+      }
+      half->iterate_with_derivatives(whole, sign, straight);
+      for (std::size_t k = 0; k < from.size(); ++k) EXPECT_NEAR(whole[k].x, three[k].x, 1e-8);
+    }
+  }
+  EXPECT_FALSE(make_system("henon").map->half());
 }
 
 TEST(FixedPoints, OfTheShipAreNotOnTheEdgeOfTheChart) {
