@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <map>
 
+#include "cli/program/system_options.hpp"
 #include "cli/program/table_options.hpp"
 #include "cli/report/json.hpp"
 #include "engine/base/text.hpp"
@@ -40,8 +42,26 @@ std::string repeated_argument(const std::string& key, const Json& value) {
   return option_name(key) + "=" + argument_text(value);
 }
 
+// Options that follow from the system where they are not given: results name the values that were used, and a tangle
+// that is given is not the system's own, which knows more about it.
+std::map<std::string, Json> connection_of(const Json& system) {
+  std::map<std::string, Json> known;
+  ParameterValues values;
+  for (const auto& [name, value] : system.at("parameters").items()) values.emplace_back(name, value.get<double>());
+  const auto input = operations::system_input(system.at("name").get<std::string>(), values, {});
+  if (!input.system->connection) return known;
+  const Connection& connection = *input.system->connection;
+  known = {{"from", point_json(connection.from)},
+           {"to", point_json(connection.to)},
+           {"u_direction", point_json(connection.u_direction)},
+           {"s_direction", point_json(connection.s_direction)}};
+  if (connection.bip) known["bip"] = point_json(*connection.bip);
+  return known;
+}
+
 void add_repeated_options(std::vector<std::string>& arguments, const operations::Operation& operation,
-                          const Json& options, const std::string& path, bool from_curves) {
+                          const Json& options, const std::string& path, const std::map<std::string, Json>& known,
+                          bool from_curves) {
   for (const auto& [key, value] : options.items()) {
     const auto spec = std::find_if(operation.options.begin(), operation.options.end(),
                                    [&, name = key](const auto& one) { return one.is_for(name); });
@@ -49,6 +69,7 @@ void add_repeated_options(std::vector<std::string>& arguments, const operations:
       throw DataError(path + ": the option " + key + " is not one of this version; run the command again");
     }
     if (value.is_null()) continue;
+    if (const auto own = known.find(key); own != known.end() && own->second == value) continue;
     if (value.is_boolean()) {
       const bool on = value.get<bool>();
       if (spec->fallback == operations::OptionValue(on)) continue;
@@ -93,12 +114,14 @@ RepeatedResult repeated(const Json& result, const std::string& path) {
                     ", which has no page; there are pages of overlay, tangle, transport, escape and grow");
   }
   const bool from_curves = !result.contains("system");
+  std::map<std::string, Json> known;
   if (from_curves) {
     add_repeated_curves(run.arguments, result.at("inputs"), path);
   } else {
     add_repeated_system(run.arguments, result.at("system"), result.at("options"));
+    if (run.command != "escape") known = connection_of(result.at("system"));
   }
-  add_repeated_options(run.arguments, *operation, result.at("options"), path, from_curves);
+  add_repeated_options(run.arguments, *operation, result.at("options"), path, known, from_curves);
   return run;
 }
 

@@ -2,6 +2,7 @@
 """Pages of lober in a real browser: page_test.py LOBER. Ends with 77, and says why, where there is no browser."""
 
 import base64
+import csv
 import math
 import os
 import random
@@ -195,9 +196,11 @@ def exports_measure_and_iterates(browser, folder):
     page, svg = os.path.join(folder, "tr.html"), os.path.join(folder, "view.svg")
     lober("transport", *OVP[1:], "--iterates", "3", "--html", page)
     browser.open(page)
-    rows = [line.split(",") for line in browser.run("lober.csv()").splitlines()]
+    whole = browser.run("lober.csv()")
+    rows = list(csv.reader(whole.splitlines()))
+    assert {len(row) for row in rows} == {len(rows[0])}
     head = rows[0]
-    areas = {row[1]: row for row in rows if len(row) == len(head) and row[1].endswith("L12(1)")}
+    areas = {row[1]: row for row in rows if row[1].endswith("L12(1)")}
     assert len(areas) == 1, areas
     row = next(iter(areas.values()))
     assert abs(float(row[head.index("area")]) - 0.2541062771) < 1e-7
@@ -205,14 +208,13 @@ def exports_measure_and_iterates(browser, folder):
     with open(svg, "w", encoding="utf-8") as file:
         file.write(browser.run("lober.svg()"))
     ElementTree.parse(svg)
-    lines = [row for row in rows if row[0].startswith("U,") or row[0].startswith('"U')]
-    assert lines, "points of curves"
+    assert any(row[0].startswith("U,") for row in rows), "points of curves"
     play = browser.run("[...lober.scene.iterates]")
     assert len(play) > 1
     browser.run("(() => { const s = document.getElementById('iterate'); s.value = 1; s.dispatchEvent(new Event('input')); })()")
     browser.settle()
     assert browser.run("document.getElementById('iterate-text').textContent") == f"n = {play[0]}"
-    assert browser.run("lober.csv()") != "\n".join(map(",".join, rows)) + "\n"
+    assert len(browser.run("lober.csv()")) < len(whole)
     browser.run("document.getElementById('measure').click(); lober.click(100, 100); lober.click(200, 100); lober.click(200, 200)")
     text = browser.run("lober.measure.text")
     side = 100 / browser.run("lober.view.scale")

@@ -60,15 +60,15 @@ function* areas(layer, view, frame, iterate, newPath, step) {
   const fill = layer.kind === "areas";
   const { boxes } = layer.areas;
   let path = newPath(), drawn = 0;
-  const cells = new Set(); // pixels of areas that are smaller than one
+  const tiny = Math.max(1, step), cells = new Set(); // squares of this size, and those with areas smaller than that
   for (let k = 0; k < layer.areas.size; ++k) {
     if (!layer.areas.meets(k, frame) || !layerShows(layer, k, iterate)) continue;
     const width = (boxes[4 * k + 2] - boxes[4 * k]) * view.scale, height = (boxes[4 * k + 3] - boxes[4 * k + 1]) * view.scale;
-    if (width < 1 && height < 1) {
-      const x = Math.floor(view.px(boxes[4 * k])), y = Math.floor(view.py(boxes[4 * k + 3])), cell = x * 65536 + y;
+    if (width < tiny && height < tiny) {
+      const x = Math.floor(view.px(boxes[4 * k]) / tiny), y = Math.floor(view.py(boxes[4 * k + 3]) / tiny), cell = x * 65536 + y;
       if (cells.has(cell)) continue;
       cells.add(cell);
-      path.rect(x, y, 1, 1);
+      path.rect(x * tiny, y * tiny, tiny, tiny);
     } else {
       layer.areas.draw(k, view, frame, new RingPen(path, view.width, view.height, step));
     }

@@ -4,7 +4,8 @@
 export function rounded(value, digits = 6) {
   if (!Number.isFinite(value)) return "not known";
   if (Number.isInteger(value) && Math.abs(value) < 1e15) return String(value);
-  return String(Number(value.toPrecision(digits))).replace("-", "\u2212");
+  const short = Number(value.toPrecision(digits));
+  return (Math.abs(short) < 1e-4 ? short.toExponential() : String(short)).replaceAll("-", "\u2212");
 }
 
 // A value with its error bar: as many digits as the bar leaves, and two of the bar.

@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+"""The commands that write pages, without a browser: command_test.py LOBER."""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+
+PROGRAM = os.path.abspath(sys.argv[1])
+EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../examples")
+
+
+def run(*arguments, status=0, says=""):
+    answer = subprocess.run([PROGRAM, *arguments], capture_output=True, text=True)
+    assert answer.returncode == status, (arguments, answer.returncode, answer.stderr)
+    assert says in answer.stderr, (arguments, answer.stderr)
+    return answer.stdout
+
+
+def content(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+def results_are_repeated():
+    """The page of a result is the one that its own run writes."""
+    runs = {
+        "overlay": ["resonance.dat", "resonance_image.dat"],
+        "rule": ["resonance.dat", "resonance_image.dat", "--rule=evenodd"],
+        "classes": ["resonance.dat", "resonance_image.dat", "--classes", "--no-discretisation"],
+        "tangle": ["manifolds.dat#0", "manifolds.dat#1", "--bip=2", "--overlaps"],
+        "system": ["ovp", "--param=gamma=0.5", "--param=eps=0.1", "--no-smooth"],
+        "transport": ["standard", "--iterates=1"],
+        "escape": ["capsize", "--energy=0.253", "--crossings=1"],
+        "grow": ["henon", "--stable", "--length=3"],
+    }
+    commands = {"rule": "overlay", "classes": "overlay", "system": "tangle"}
+    for name, arguments in runs.items():
+        run(commands.get(name, name), *arguments, "--html", "a.html", "--json", "a.json")
+        run("view", "a.json", "-o", "b.html")
+        assert content("a.html") == content("b.html"), name
+
+
+def what_cannot_be_shown_is_refused():
+    run("interior", "resonance.dat", "resonance_image.dat", "--json", "i.json")
+    run("view", "i.json", "-o", "c.html", status=1, says="there are pages of overlay")
+    run("overlay", "resonance.dat", "resonance_image.dat", "--json", "o.json")
+    with open("resonance.dat", "a") as file:
+        file.write("# changed\n")
+    run("view", "o.json", "-o", "c.html", status=1, says="is not as it was when o.json was computed")
+    run("view", "nothing.dat", "-o", "c.html", status=1, says="No such file")
+    run("view", "manifolds.dat", "-o", "c.svg", status=2, says=".html")
+    run("view", "manifolds.dat", "-o", "manifolds.dat", status=2)
+    run("view", "manifolds.dat", status=2, says="--output is missing")
+    run("transport", "ovp", "--sweep", "eps=0.1:0.2:0.1", "--html", "c.html", status=2, says="cannot be given together")
+    with open("bad.json", "w") as file:
+        file.write('{"program": {}, "command": "overlay", "inputs": 3, "options": {}}')
+    run("view", "bad.json", "-o", "c.html", status=1, says="cannot be read as a result of lober")
+    assert not os.path.exists("c.html")
+
+
+def pages_have_the_same_bytes_for_any_threads():
+    for threads in (1, 3):
+        run("tangle", "manifolds.dat", "--html", f"t{threads}.html", f"--threads={threads}")
+    assert content("t1.html") == content("t3.html")
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        for name in os.listdir(EXAMPLES):
+            if name.endswith(".dat"):
+                shutil.copy(os.path.join(EXAMPLES, name), folder)
+        os.chdir(folder)
+        for check in (pages_have_the_same_bytes_for_any_threads, results_are_repeated, what_cannot_be_shown_is_refused):
+            check()
+            print(check.__name__, "passed")
+        os.chdir("/")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
