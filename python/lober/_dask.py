@@ -68,7 +68,7 @@ def run_batch(
     progress: Callback,
 ) -> dict[str, Any]:
     """As _lober.batch_run, by the workers of `client`; `memory` and `threads` are those of a task."""
-    _require_client(client)
+    require_client(client)
     begin = time.monotonic()
     threads = threads or 1
     shared = _lober.start_shared_run(path, text, store, shard, output_root, threads)
@@ -285,7 +285,7 @@ def _cancelled() -> type[BaseException]:
     return CancelledError
 
 
-def _require_client(client: Any) -> None:
+def require_client(client: Any) -> None:
     try:
         from distributed import Client
     except ImportError:
