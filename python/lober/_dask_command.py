@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
+import time
 import warnings
 from typing import Any, Sequence
 
@@ -70,12 +72,22 @@ def _client(given: argparse.Namespace) -> Any:
     where = {"scheduler_file": given.scheduler_file} if given.scheduler_file else {"address": given.scheduler}
     make: Any = distributed.Client
     try:
+        if given.scheduler_file:  # Dask would wait for ever
+            _wait_for(given.scheduler_file, given.wait)
         # Long enough for a scheduler that is started again.
         return make(**where, timeout=given.wait, set_as_default=False)
     except (OSError, ValueError) as error:
         raise DataError(
             f"there is no scheduler at {given.scheduler_file or given.scheduler} ({error}); dask scheduler starts one"
         ) from None
+
+
+def _wait_for(file: str, seconds: float) -> None:
+    deadline = time.monotonic() + seconds
+    while not os.path.exists(file):
+        if time.monotonic() > deadline:
+            raise FileNotFoundError("the file does not exist")
+        time.sleep(0.1)
 
 
 def _bytes(text: str) -> int:

@@ -332,6 +332,8 @@ def test_command(cluster, tmp_path):
         ([tmp_path / "none.toml", "--scheduler", cluster.address], 1, "none.toml"),
         ([manifest, "--scheduler", cluster.address, "--memory", "much"], 2, "--memory: 'much' is not a size"),
         ([manifest, "--scheduler", "tcp://127.0.0.1:1", "--wait", "0.2"], 1, "there is no scheduler at tcp://127.0.0.1:1"),
+        ([manifest, "--scheduler-file", tmp_path / "none", "--wait", "0.2"], 1, "none (the file does not exist)"),
+        ([manifest, "--scheduler", cluster.address, "--shard", "3/2"], 2, "--shard: '3/2' is not of the form I/N"),
         ([manifest], 2, "one of the arguments --scheduler --scheduler-file is required"),
     ]:
         run = command(*arguments)
