@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 import queue
 import time
+import uuid
 from dataclasses import dataclass, field
 from typing import Any, Callable, Optional
 
@@ -68,7 +69,7 @@ def run_batch(
     progress: Callback,
 ) -> dict[str, Any]:
     """As _lober.batch_run, by the workers of `client`; `memory` and `threads` are those of a task."""
-    _require_client(client)
+    require_client(client)
     begin = time.monotonic()
     threads = threads or 1
     shared = _lober.start_shared_run(path, text, store, shard, output_root, threads)
@@ -81,6 +82,7 @@ def run_batch(
         output_root=os.path.abspath(output_root) if output_root else "",
         threads=threads,
         memory=memory,
+        run=uuid.uuid4().hex,
     )
     run = SharedBatch(client, shared, work, scatter, progress)
     how = "broken off by a failure"
@@ -147,7 +149,7 @@ class SharedBatch:
         if futures:
             self._client.cancel(futures, force=True)
         if self._inputs is not None:
-            self._client.run(forget, on_error="ignore")
+            self._client.run(forget, self._work.run, on_error="ignore")
 
     def _look(self) -> None:
         """Asks the scheduler who is there. A client whose scheduler is gone tries to find it for a while and then closes."""
@@ -285,7 +287,7 @@ def _cancelled() -> type[BaseException]:
     return CancelledError
 
 
-def _require_client(client: Any) -> None:
+def require_client(client: Any) -> None:
     try:
         from distributed import Client
     except ImportError:

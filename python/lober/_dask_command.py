@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
+import time
 import warnings
 from typing import Any, Sequence
 
@@ -19,7 +21,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         return _run(given)
     except (Cancelled, KeyboardInterrupt):
-        print("lober-dask: interrupted; results that came in are in the store, and the same line goes on from there", file=sys.stderr)
+        line = "interrupted; results that came in are in the store, and the same line goes on from there"
+        print(f"lober-dask: {line}", file=sys.stderr)
         return 130
     except UsageError as error:
         print(f"lober-dask: {error}", file=sys.stderr)
@@ -69,6 +72,8 @@ def _client(given: argparse.Namespace) -> Any:
     where = {"scheduler_file": given.scheduler_file} if given.scheduler_file else {"address": given.scheduler}
     make: Any = distributed.Client
     try:
+        if given.scheduler_file:  # Dask would wait for ever
+            _wait_for(given.scheduler_file, given.wait)
         # Long enough for a scheduler that is started again.
         return make(**where, timeout=given.wait, set_as_default=False)
     except (OSError, ValueError) as error:
@@ -77,12 +82,21 @@ def _client(given: argparse.Namespace) -> Any:
         ) from None
 
 
+def _wait_for(file: str, seconds: float) -> None:
+    deadline = time.monotonic() + seconds
+    while not os.path.exists(file):
+        if time.monotonic() > deadline:
+            raise FileNotFoundError("the file does not exist")
+        time.sleep(0.1)
+
+
 def _bytes(text: str) -> int:
     number, unit = (text[:-1], text[-1].upper()) if text[-1:].isalpha() else (text, "")
     try:
         value = float(number) * UNITS[unit]
     except (ValueError, KeyError):
-        raise UsageError(f"--memory: {text!r} is not a size; give bytes, or a number with K, M, G or T, such as 4G") from None
+        advice = "give bytes, or a number with K, M, G or T, such as 4G"
+        raise UsageError(f"--memory: {text!r} is not a size; {advice}") from None
     if not 0 <= value < 1 << 62:
         raise UsageError(f"--memory: {text} is not a size of memory")
     return int(value)
@@ -100,22 +114,55 @@ def _parser() -> argparse.ArgumentParser:
         prog="lober-dask",
         description="Runs the jobs of a manifest that have no result in the store yet, by the workers of a cluster of Dask. "
         "The store is written here, and has the same results as that of lober batch run, which it goes on with and vice versa.",
-        epilog="A cluster: dask scheduler on one machine, dask worker ADDRESS --nthreads 1 --nworkers auto on each of the others, "
-        "where lober is installed in the same version.",
+        epilog="A cluster: dask scheduler on one machine, dask worker ADDRESS --nthreads 1 --nworkers auto on each of the "
+        "others, where lober is installed in the same version.",
     )
-    parser.add_argument("manifest", metavar="MANIFEST", help="the manifest, a TOML file that names the operation and the curves")
+    add = parser.add_argument
+    add("manifest", metavar="MANIFEST", help="the manifest, a TOML file that names the operation and the curves")
     where = parser.add_mutually_exclusive_group(required=True)
     where.add_argument("--scheduler", metavar="ADDRESS", help="the address of the scheduler, as tcp://head:8786")
-    where.add_argument("--scheduler-file", metavar="FILE", help="the file that dask scheduler --scheduler-file has written")
-    parser.add_argument("--store", metavar="FILE", help="the store of results (default: MANIFEST with the ending .results)")
-    parser.add_argument("--output-root", metavar="DIR", default="", help="the folder below which jobs write their files; all workers share it (default: the folder of the manifest)")
-    parser.add_argument("--scatter", action="store_true", help="send the inputs to the workers, which do not see the files (default: all find them under the same path)")
-    parser.add_argument("--memory", metavar="SIZE", default="0", help="memory of a task for curves and the work on them, as 4G or 500M (default: 0.6 of the worker's, shared by its threads)")
-    parser.add_argument("--threads", metavar="N", type=int, default=1, help="threads of a task; each thread of a worker runs a task (default: 1)")
-    parser.add_argument("--shard", metavar="I/N", default="1/1", help="the part of the jobs to run, into a store of its own; lober batch merge joins them (default: 1/1)")
-    parser.add_argument("--wait", metavar="SECONDS", type=float, default=120, help="how long to look for a scheduler that is not there, or not any more (default: 120)")
-    parser.add_argument("-q", "--quiet", action="store_true", help="do not show the progress")
-    parser.add_argument("--version", action="version", version=f"lober-dask {__version__}")
+    where.add_argument("--scheduler-file", metavar="FILE", help="the file of dask scheduler --scheduler-file FILE")
+    add("--store", metavar="FILE", help="the store of results (default: MANIFEST with the ending .results)")
+    add(
+        "--output-root",
+        metavar="DIR",
+        default="",
+        help="the folder below which jobs write their files; all workers share it (default: the folder of the manifest)",
+    )
+    add(
+        "--scatter",
+        action="store_true",
+        help="send the inputs to the workers, which do not see the files (default: all find them under the same path)",
+    )
+    add(
+        "--memory",
+        metavar="SIZE",
+        default="0",
+        help="memory of a task for curves and the work on them, as 4G or 500M (default: 0.6 of the worker's memory, shared "
+        "by its threads)",
+    )
+    add(
+        "--threads",
+        metavar="N",
+        type=int,
+        default=1,
+        help="threads of a task; each thread of a worker runs a task (default: 1)",
+    )
+    add(
+        "--shard",
+        metavar="I/N",
+        default="1/1",
+        help="the part of the jobs to run, into a store of its own; lober batch merge joins them (default: 1/1)",
+    )
+    add(
+        "--wait",
+        metavar="SECONDS",
+        type=float,
+        default=120,
+        help="how long to look for a scheduler that is not there, or not any more (default: 120)",
+    )
+    add("-q", "--quiet", action="store_true", help="do not show the progress")
+    add("--version", action="version", version=f"lober-dask {__version__}")
     return parser
 
 

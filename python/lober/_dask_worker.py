@@ -30,6 +30,8 @@ class Work:
     output_root: str
     threads: int
     memory: int
+    #: Name of the folder of this run's copies on a worker; other runs have others.
+    run: str = ""
 
 
 class Done(NamedTuple):
@@ -68,7 +70,7 @@ def _computed(work: Work, portion: bytes, files: list[str], contents: dict[str, 
         return Unfit(address, f"has lober {_lober.__version__}", _lober.__version__)
     root = ""
     if contents is not None:
-        root = _copied(contents, worker)
+        root = _copied(work.run, contents, worker)
     else:
         missing = next((file for file in files if not os.path.exists(file)), None)
         if missing is not None:
@@ -105,10 +107,10 @@ def _memory(worker: Any) -> int:
     return int(MEMORY_PART * limit / worker.state.nthreads) if limit else 0
 
 
-def _copied(contents: dict[str, bytes], worker: Any) -> str:
+def _copied(run: str, contents: dict[str, bytes], worker: Any) -> str:
     """Writes the files that are not there yet below a folder, each at its absolute path, and returns the folder."""
     base = Path(worker.local_directory if worker is not None else tempfile.gettempdir())
-    root = str(base.resolve() / COPIES)
+    root = str(base.resolve() / COPIES / run)
     for path, content in contents.items():
         target = root + path
         if os.path.exists(target) and Path(target).read_bytes() == content:
@@ -121,6 +123,6 @@ def _copied(contents: dict[str, bytes], worker: Any) -> str:
     return root
 
 
-def forget(dask_worker: Any) -> None:
-    """Removes the copies."""
-    shutil.rmtree(Path(dask_worker.local_directory).resolve() / COPIES, ignore_errors=True)
+def forget(run: str, dask_worker: Any) -> None:
+    """Removes the copies of a run."""
+    shutil.rmtree(Path(dask_worker.local_directory).resolve() / COPIES / run, ignore_errors=True)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Iterable, Iterator, Sequence, Sized
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _lober
+from . import _dask_overlaps, _lober
 from ._arrays import points_of
 from ._curve_sets import curve_set_of
 from ._generated import overlay
@@ -19,6 +19,9 @@ from ._numbers import threads_of
 from ._overlay import Overlay
 from ._progress import Progress, watching
 from .errors import Cancelled, IncompleteWarning, UsageError
+
+if TYPE_CHECKING:
+    import distributed
 
 MEASURES = tuple(_lober.overlap_measures())
 #: What is 0 for curves without a common point.
@@ -36,6 +39,7 @@ def overlap_matrix(
     keep_going: bool = False,
     threads: int = 0,
     progress: Progress = None,
+    client: distributed.Client | None = None,
 ) -> Any:
     """Areas and counts of all pairs of two sets of closed curves, as a matrix with a row for each curve of `curves_a` and
     a column for each of `curves_b`; without `curves_b`, of the curves of one set with each other.
@@ -53,6 +57,8 @@ def overlap_matrix(
     check_simple: whether to refuse curves that are not simple
     keep_going: whether curves that cannot be used are NaN (in sparse matrices: missing) and warned of
         (`IncompleteWarning`), and not an error
+    client: a cluster of Dask, whose workers compute tiles of the matrix, each with one thread, from curves that are sent to
+        them; the matrix has to fit here. The same bits
     """
     names = [what] if isinstance(what, str) else list(what)
     measures = list(dict.fromkeys(_measure_of(name, sparse) for name in names))
@@ -62,9 +68,15 @@ def overlap_matrix(
     has_bounds = any(name.startswith(BOUND) for name in names)
     threads = threads_of(threads)
     with watching(progress, "overlap_matrix") as callback:
-        numbers, begin, column, _, failures = _lober.overlap_matrix(
-            *first, points2, offsets2, measures, not sparse, has_bounds, check_simple, keep_going, threads, callback
-        )
+        if client is None:
+            found_here = _lober.overlap_matrix(
+                *first, points2, offsets2, measures, not sparse, has_bounds, check_simple, keep_going, threads, callback
+            )
+        else:
+            found_here = _dask_overlaps.overlap_matrix(
+                client, first, second, measures, not sparse, has_bounds, check_simple, keep_going, callback
+            )
+        numbers, begin, column, _, failures = found_here
     if failures:
         warnings.warn(f"{len(failures)} failures, the first: {failures[0]}", IncompleteWarning, stacklevel=2)
     shape = (len(first[1]) - 1, len((second or first)[1]) - 1)

@@ -241,14 +241,14 @@ def test_jobs_that_end_their_workers_are_noted_and_the_rest_goes_on(tmp_path, mo
     cluster.start_scheduler()
     try:
         cluster.start_workers(2, nanny=True, preload=POISON)
-        manifest = family(tmp_path, SINGLES, count=12, bad=False)
+        manifest = family(tmp_path, SINGLES, count=9, bad=False)
         with cluster.client(2) as client:
             store = shared(manifest, client)
     finally:
         cluster.end()
     failures = [(one.message, one.jobs) for one in store.failures]
     assert failures == [("every worker that ran it alone ended (1 tried)", 2)]
-    assert (store.report.run, store.report.failed) == (11, 2)
+    assert (store.report.run, store.report.failed) == (8, 2)
     # Noted as failed, so that a run elsewhere does them.
     assert exported(lober.batch.run(manifest, store.path)) == expected(manifest)
 
@@ -332,6 +332,8 @@ def test_command(cluster, tmp_path):
         ([tmp_path / "none.toml", "--scheduler", cluster.address], 1, "none.toml"),
         ([manifest, "--scheduler", cluster.address, "--memory", "much"], 2, "--memory: 'much' is not a size"),
         ([manifest, "--scheduler", "tcp://127.0.0.1:1", "--wait", "0.2"], 1, "there is no scheduler at tcp://127.0.0.1:1"),
+        ([manifest, "--scheduler-file", tmp_path / "none", "--wait", "0.2"], 1, "none (the file does not exist)"),
+        ([manifest, "--scheduler", cluster.address, "--shard", "3/2"], 2, "--shard: '3/2' is not of the form I/N"),
         ([manifest], 2, "one of the arguments --scheduler --scheduler-file is required"),
     ]:
         run = command(*arguments)
@@ -349,3 +351,37 @@ def test_command(cluster, tmp_path):
     run = command(manifest, "--scheduler", cluster.address, "--store", tmp_path / "broken", "-q")
     assert "0 failed" in run.communicate()[0] and run.returncode == 0
     assert exported(lober.batch.open(tmp_path / "broken")) == expected(manifest)
+
+
+@pytest.mark.parametrize("two", [False, True])
+def test_overlap_matrix(cluster, two):
+    cluster.start_workers(2)
+    curves = [flower(200, k) + 0.4 * np.exp(1j * k) for k in range(31)]
+    others = [flower(150, k) - 0.2 for k in range(17)] if two else None
+    names = ["intersection", "c1_minus_c2", "c2_minus_c1", "crossings", "union", "rounding_c1_minus_c2"]
+    with cluster.client(2) as client:
+        seen = []
+        one = lober.overlap_matrix(curves, others, names)
+        shared = lober.overlap_matrix(curves, others, names, client=client, progress=lambda f, _: seen.append(f))
+        for name in names:
+            np.testing.assert_array_equal(shared[name], one[name], strict=True)
+        assert seen[-1] == 1 and len(seen) > 4
+        far = [curve + 3 * (k % 4) for k, curve in enumerate(curves)]
+        one, shared = (lober.overlap_matrix(far, others, "crossings", sparse=True, client=c) for c in (None, client))
+        for part in ("data", "indices", "indptr"):
+            np.testing.assert_array_equal(getattr(shared, part), getattr(one, part))
+        # Curves that cannot be used have the numbers that they have in the whole.
+        curves[20] = np.array([0, 1 + 1j, 1, 1j])
+        if two:
+            others[16] = np.array([0, 1 + 1j, 1, 1j])
+        messages, matrices = [], []
+        for c in (None, client):
+            with pytest.raises(lober.DataError) as error:
+                lober.overlap_matrix(curves, others, client=c)
+            with pytest.warns(lober.IncompleteWarning) as warned:
+                matrices.append(lober.overlap_matrix(curves, others, keep_going=True, client=c))
+            messages.append((str(error.value), str(warned[0].message)))
+        assert messages[0] == messages[1] and "curve 20" in messages[0][0]
+        np.testing.assert_array_equal(*matrices)
+        with pytest.raises(lober.UsageError, match="offsets ascend"):
+            lober.overlap_matrix((np.zeros((9, 2)), [0, 6, 3, 9]), client=client)
