@@ -100,8 +100,10 @@ def test_fixed_points_are_those_of_the_built_in_system(way, built_in):
     theirs = lober.fixed_points(built_in)
     assert [point.type for point in own] == [point.type for point in theirs]
     np.testing.assert_allclose(own.at, theirs.at, atol=2e-11)
+    # Derivatives by differences are good to six digits at a saddle.
+    exact = 1e-9 if way == "compiled" else 1e-6
     for mine, other in zip(own, theirs):
-        assert mine.multipliers[0] == pytest.approx(other.multipliers[0], rel=1e-7)
+        assert mine.multipliers[0] == pytest.approx(other.multipliers[0], rel=exact)
 
 
 @pytest.mark.parametrize("mass", [MU, 0.01215])
