@@ -25,7 +25,7 @@ namespace {
 
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// What both kinds know: the attributes dimension, period, pairs and extent of an object, which is kept.
+/// The common part of both kinds: the attributes dimension, period, pairs and extent of an object, which is kept.
 class KeptField : public VectorField {
  public:
   explicit KeptField(py::object object)

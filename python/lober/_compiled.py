@@ -58,7 +58,7 @@ def require_same(library: str, form: Form, in_numpy: NumPyForm, values: list[flo
     by more than rounding does."""
     random = np.random.default_rng(18)
     length = in_numpy.period(values)
-    points = np.ascontiguousarray(random.uniform(box[:, 0], box[:, 1], (POINTS, len(box))).T)
+    points: Array = np.ascontiguousarray(random.uniform(box[:, 0], box[:, 1], (POINTS, len(box))).T)
     times = random.uniform(0, length if np.isfinite(length) and length > 0 else 1, POINTS)
     by_numpy = in_numpy.values(points, times, values)
     by_c = _values(library, points, times, values)
@@ -66,7 +66,7 @@ def require_same(library: str, form: Form, in_numpy: NumPyForm, values: list[flo
     noise = np.zeros_like(by_numpy)
     with np.errstate(all="ignore"):
         for _ in range(8):
-            moved = points + 1e-14 * random.uniform(-1, 1, points.shape) * (1 + np.abs(points))
+            moved: Array = points + 1e-14 * random.uniform(-1, 1, points.shape) * (1 + np.abs(points))
             later = times + 1e-14 * random.uniform(-1, 1, POINTS) * (1 + np.abs(times))
             others = [value * (1 + 1e-14 * random.uniform(-1, 1)) for value in values]
             noise = np.fmax(noise, np.abs(in_numpy.values(moved, later, others) - by_numpy))

@@ -158,7 +158,7 @@ def flow(
     )
 
     def decorate(function: Function) -> Family:
-        title = name or getattr(function, "__name__", "flow")
+        title = name or str(getattr(function, "__name__", "flow"))
         velocities = bound(function, parameters, 3, title)
         hamiltonians = bound(hamiltonian, parameters, 3, title)
         begin = number_of(phase, f"system {title}: phase")

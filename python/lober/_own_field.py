@@ -197,7 +197,8 @@ def field_of(
     jacobian: Any = None,
 ) -> VectorisedField | AddressField:
     made: Any = AddressField if is_compiled(velocity) else VectorisedField
-    return made(name, dimension, velocity, hamiltonian, period, extent, jacobian)
+    field: VectorisedField | AddressField = made(name, dimension, velocity, hamiltonian, period, extent, jacobian)
+    return field
 
 
 def names_of_coordinates(function: Any, params: Mapping[str, float], given: Sequence[str] | None) -> list[str]:

@@ -23,7 +23,7 @@ def pickled(family: Any, maker: Any, given: Any, options: dict[str, Any]) -> tup
     if stands and module != MAIN:
         return _imported, (module, path)
     try:
-        import cloudpickle
+        import cloudpickle  # type: ignore[import]
 
         return _loaded, (cloudpickle.dumps((maker.__module__, maker.__name__, given, options)),)
     except Exception:  # it is not installed, or there is something that it cannot take along

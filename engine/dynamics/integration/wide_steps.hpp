@@ -30,11 +30,11 @@ class WideSteps {
 
   void compute(const Rhs& rhs, std::span<const Lane> lanes) {
     const std::size_t count = lanes.size();
-    make_room(x_, size * count);
+    ensure_size(x_, size * count);
     for (std::size_t i = 0; i < size; ++i) {
       for (std::size_t k = 0; k < count; ++k) x_[i * count + k] = lanes[k].block->x[i][lanes[k].number];
     }
-    make_room(slope_, size * count);
+    ensure_size(slope_, size * count);
     times_of_stage(lanes, 0);
     rhs.many(count, x_.data(), t_.data(), slope_.data());
     begin_columns(lanes);
@@ -48,8 +48,8 @@ class WideSteps {
     std::vector<double> before, here;
   };
 
-  /// What the numbers were is lost where there is too little room.
-  static void make_room(std::vector<double>& numbers, std::size_t count) {
+  /// The numbers are lost where there are too few of them.
+  static void ensure_size(std::vector<double>& numbers, std::size_t count) {
     if (numbers.size() < count) numbers = std::vector<double>(count);
   }
   [[nodiscard]] static double time(const Lane& lane, std::size_t stage) {
@@ -57,7 +57,7 @@ class WideSteps {
     return lane.block->forcing[lane.number][stage];
   }
   void times_of_stage(std::span<const Lane> lanes, std::size_t stage) {
-    make_room(t_, lanes.size());
+    ensure_size(t_, lanes.size());
     for (std::size_t k = 0; k < lanes.size(); ++k) t_[k] = time(lanes[k], stage);
   }
 
@@ -65,9 +65,9 @@ class WideSteps {
     const std::size_t count = lanes.size();
     for (int column = 0; column < step_columns; ++column) {
       Column& changed = columns_[column];
-      make_room(changed.before, size * count);
+      ensure_size(changed.before, size * count);
       std::fill_n(changed.before.begin(), size * count, 0.0);
-      make_room(changed.here, size * count);
+      ensure_size(changed.here, size * count);
       for (std::size_t k = 0; k < count; ++k) {
         const double substep = lanes[k].block->h[lanes[k].number] * (1.0 / substeps_of(column));
         for (std::size_t i = 0; i < size; ++i) changed.here[i * count + k] = substep * slope_[i * count + k];
@@ -90,9 +90,9 @@ class WideSteps {
     while (substep >= substeps_of(first)) ++first;
     const auto active = static_cast<std::size_t>(step_columns - first);
     const std::size_t all = active * count;
-    make_room(at_, size * all);
-    make_room(speed_, size * all);
-    make_room(t_, all);
+    ensure_size(at_, size * all);
+    ensure_size(speed_, size * all);
+    ensure_size(t_, all);
     for (std::size_t a = 0; a < active; ++a) {
       const int column = first + static_cast<int>(a);
       const auto stage = static_cast<std::size_t>(first_stage_of(column) + substep - 1);
@@ -107,7 +107,7 @@ class WideSteps {
     for (std::size_t a = 0; a < active; ++a) {
       const int column = first + static_cast<int>(a);
       Column& changed = columns_[column];
-      make_room(two_substeps_, count);
+      ensure_size(two_substeps_, count);
       for (std::size_t k = 0; k < count; ++k) {
         two_substeps_[k] = lanes[k].block->h[lanes[k].number] * (2.0 / substeps_of(column));
       }
@@ -126,7 +126,7 @@ class WideSteps {
 
   void finish(const Rhs& rhs, std::span<const Lane> lanes) {
     const std::size_t count = lanes.size();
-    make_room(at_, size * count);
+    ensure_size(at_, size * count);
     for (std::size_t k = 0; k < count; ++k) {
       StepBlock<Rhs::size>& block = *lanes[k].block;
       const std::size_t lane = lanes[k].number;
@@ -149,9 +149,9 @@ class WideSteps {
       block.error[lane] = worst + 0.0 * all;  // NaN if any of them is NaN or infinite
     }
     if constexpr (Rhs::forcings == 0) {
-      make_room(t_, count);
+      ensure_size(t_, count);
       std::fill_n(t_.begin(), count, 0.0);
-      make_room(speed_, size * count);
+      ensure_size(speed_, size * count);
       rhs.many(count, at_.data(), t_.data(), speed_.data());
       for (std::size_t k = 0; k < count; ++k) {
         for (std::size_t i = 0; i < size; ++i) lanes[k].block->end_slope[i][lanes[k].number] = speed_[i * count + k];

@@ -26,8 +26,8 @@
 namespace lober {
 
 /// dx/dt = velocity(x, t). Coordinate i of point number k of `count` is x[i * count + k], and so for velocities; each
-/// point has its own time t[k]. What a point gets must not depend on the others, bit for bit; NaN stands for a value
-/// that does not exist. All functions are called from several threads at the same time, and may throw.
+/// point has its own time t[k]. The values at a point must not depend on the others, bit for bit; NaN stands for a
+/// value that does not exist. All functions are called from several threads at the same time, and may throw.
 class LOBER_API VectorField {
  public:
   VectorField() = default;
@@ -43,7 +43,7 @@ class LOBER_API VectorField {
   virtual void velocities(std::size_t count, const double* x, const double* t, double* dxdt) const = 0;
   /// d(velocity i)/d(x j) of point k at jacobian[(i * dimension() + j) * count + k]. Unless it is overridden, central
   /// differences of order 4 with steps of a thousandth of min(1 + |x|, extent()), which are good to some twelve digits;
-  /// then derivatives of maps are good to nine or so.
+  /// then derivatives of maps are good to six or more.
   virtual void jacobians(std::size_t count, const double* x, const double* t, double* jacobian) const;
   /// Whether `jacobians` is overridden by formulas.
   [[nodiscard]] virtual bool has_jacobian() const { return false; }
@@ -65,8 +65,8 @@ class LOBER_API VectorField {
 
 /// The planar map of a field.
 struct FieldMap {
-  double phase = 0;   ///< of a field that is periodic in time and has two coordinates: where its map begins, in periods
-  double energy = 0;  ///< of a Hamiltonian field of four coordinates: the energy on its section
+  double phase = 0;   ///< start of the map of a field that is periodic in time and has two coordinates, in periods
+  double energy = 0;  ///< energy on the section of a Hamiltonian field of four coordinates
 };
 
 /// Completes a system whose flow is that of a field: `described` has all but flow and map, its name and window at
