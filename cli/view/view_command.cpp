@@ -36,7 +36,7 @@ std::optional<ViewRequest> parse_view(const std::vector<std::string>& arguments)
       "is computed again from them.",
       "lober view");
   parser.add_example("lober view examples/manifolds.dat -o manifolds.html", "all curves of a file");
-  parser.add_example("lober view tangle.json -o tangle.html", "a result that lober tangle --json has written");
+  parser.add_example("lober view examples/manifolds.dat#0 -o u.html", "one of them");
   parser
       .add("RESULT|CURVE", request.inputs,
            "A result of overlay, tangle, transport, escape or grow, written by --json; or curves: FILE, all curves of "
