@@ -1,9 +1,8 @@
 """How long batches take on one machine, ten and a thousand, and what ends first: a simulation of the schedule of lober.batch.run
-with a client, with the costs that cluster_costs.py has measured. Writes the tables of docs/explanation/size.md; some seconds.
+with a client, with the costs that cluster_costs.py has measured. Prints the tables of docs/explanation/size.md; some seconds.
 
     python3 bench/cluster_schedule.py             prints the tables
-    python3 bench/cluster_schedule.py --write     puts them into the page
-    python3 bench/cluster_schedule.py --check     fails where the page has others
+    scripts/docs.sh make docs/explanation/size.md puts them into the page
 
 Simulated are: portions as WorkQueue cuts them, workers that take the next one when they are done, one process for each store that
 hands out portions and takes results one after the other, a file system that all read from, workers that die and take their portion
@@ -17,14 +16,12 @@ import heapq
 import json
 import math
 import random
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
 COSTS = json.loads((ROOT / "bench" / "CLUSTER.json").read_text())
-PAGE = ROOT / "docs" / "explanation" / "size.md"
 
 # As engine/batch/work_queue.cpp.
 MIN_COST, MIN_COST_PER_PROCESS, MAX_COST, MAX_JOBS = 2e-3, 1e-3, 20.0, 50_000
@@ -198,27 +195,13 @@ def measured_text() -> str:
     )
 
 
-def main() -> int:
+def main() -> None:
+    blocks = {"costs": costs_table, "measured": measured_text, "schedule": schedule_table}
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--write", action="store_true")
-    parser.add_argument("--check", action="store_true")
-    given = parser.parse_args()
-    blocks = {"costs": costs_table(), "schedule": schedule_table(), "measured": measured_text()}
-    if not given.write and not given.check:
-        print("\n\n".join(blocks.values()))
-        return 0
-    before = after = PAGE.read_text()
-    for name, block in blocks.items():
-        begin, end = f"<!-- begin {name} -->\n", f"<!-- end {name} -->"
-        head, rest = after.split(begin)
-        after = head + begin + block + "\n" + end + rest.split(end, 1)[1]
-    if given.write:
-        PAGE.write_text(after)
-    elif before != after:
-        print(f"{PAGE} has other numbers than bench/CLUSTER.json gives; run bench/cluster_schedule.py --write", file=sys.stderr)
-        return 1
-    return 0
+    parser.add_argument("block", nargs="?", choices=blocks, help="only this one")
+    chosen = parser.parse_args().block
+    print("\n\n".join(make() for name, make in blocks.items() if chosen in (None, name)))
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -10,7 +10,11 @@ build=$(realpath -m "${1:-build}")
 command -v python3-dbg >/dev/null || { echo "skipped: there is no python3-dbg (apt install python3-dbg)"; exit 77; }
 site=$(echo "$build"/python/venv/lib/python3.*/site-packages)
 [ -d "$site/lober" ] || { echo "no package in $site; run scripts/python.sh $build first" >&2; exit 1; }
+# An environment of its own, which sees the package of the other one: tests start further processes.
+venv=$build/python/venv-debug
+[ -x "$venv/bin/python" ] || python3-dbg -m venv --without-pip --system-site-packages "$venv"
+echo "$site" >"$(echo "$venv"/lib/python3.*/site-packages)/lober.pth"
 cd python/tests
 # What development mode says of packages of others is not ours: only warnings that name lober are errors.
-PYTHONPATH=$site exec python3-dbg -X dev -X faulthandler -P -m pytest -q -c ../pyproject.toml --rootdir=. -o testpaths=. \
+exec "$venv/bin/python" -X dev -X faulthandler -P -m pytest -q -c ../pyproject.toml --rootdir=. -o testpaths=. \
   -p no:cacheprovider -W ignore -W "error:::lober" "$@"
