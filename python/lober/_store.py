@@ -146,6 +146,7 @@ class Store:
 
         `operation` has to be named where the plan has several.
         """
+        operation = self._operation(operation)
         with tempfile.TemporaryDirectory(prefix="lober-") as folder:
             path = os.path.join(folder, "results.npy")
             _lober.batch_export(self.path, path, "npy", operation)

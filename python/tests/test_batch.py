@@ -142,6 +142,16 @@ def test_wrong_arguments_are_explained(curves: Path) -> None:
         store.lists("tangle")
 
 
+def test_a_plan_of_several_operations(curves: Path) -> None:
+    groups = [{"operation": name, "curves": "circles.dat#*", "pairs": "consecutive"} for name in ("overlay", "interior")]
+    store = lober.batch.run({"group": groups})
+    assert store.operations == ["overlay", "interior"] and store.jobs.done == 6
+    with pytest.raises(lober.UsageError, match="several operations; choose one of overlay, interior"):
+        store.to_pandas()
+    areas = [store.results(name)["intersection"] for name in store.operations]
+    assert len(areas[0]) == 3 and np.allclose(*areas, rtol=1e-14)
+
+
 def test_odd_texts_are_written_as_toml(curves: Path) -> None:
     name = 'odd "name" \\ ä\x7f\n.dat'
     lober.write(name, {"a": circle(0), "b": circle(1)}, format="tecplot")
