@@ -51,7 +51,11 @@ void print(std::string_view text) {
 }
 
 void check_outputs(std::span<const Output> outputs, std::span<const std::string> inputs) {
-  const auto is_standard = [](const std::string& input) { return detail::file_of_curve(input) == "-"; };
+  // A file that is redirected can be opened again as /dev/stdin; a pipe cannot.
+  const auto is_standard = [](const std::string& input) {
+    const std::string file = detail::file_of_curve(input);
+    return file == "-" || (file == "/dev/stdin" && is_special(file));
+  };
   if (std::count_if(inputs.begin(), inputs.end(), is_standard) > 1) {
     throw UsageError(
         "standard input is named twice and can be read once; write it to a file, and name its zones, FILE#0 and "

@@ -107,12 +107,15 @@ void read_numbers(std::string_view line, std::string_view header, std::string_vi
   const bool commas_part = named == Separator::comma || (!named && both == candidates.begin());
   found.has_decimal_commas = !commas_part && has_decimal_commas(without_blanks(line));
   found.names = names_in(header.empty() ? comment : header, found.separator, found.cells.size());
+  // The names of rows have none, as R writes them.
+  if (!header.empty() && found.names.size() + 1 == found.cells.size()) found.names.insert(found.names.begin(), "");
 }
 
 FirstLines first_lines_of(std::string_view text, const std::string& path) {
   FirstLines found;
   std::string_view header, comment;
   std::string_view rest = text;
+  bool has_units = false;  // a line of them below the header, as ERDDAP has it
   const std::optional<Separator> named = named_separator(next_line(rest), path);
   if (named) found.skipped = text.size() - rest.size();
   if (!named) rest = text;
@@ -135,6 +138,11 @@ FirstLines first_lines_of(std::string_view text, const std::string& path) {
     if (is_open(cells_of(line, named.value_or(Separator::comma)).back())) {
       SourceLocation{path, number}.fail("quotes do not end on their line: " + quoted_text(line));
     }
+    const Separator separator = named.value_or(separator_of(header));
+    const bool are_units = !header.empty() && !has_units && cells_of(whole, separator).size() > 2 &&
+                           cells_of(whole, separator).size() == cells_of(header, separator).size();
+    has_units = has_units || are_units;
+    if (are_units) continue;
     if (!header.empty()) return found;  // whoever reads the lines says what is wrong with this one
     header = whole;
   }
@@ -148,7 +156,7 @@ bool same_name(std::string_view a, std::string_view b) {
 
 std::string joined(const std::vector<std::string>& names) {
   std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  for (const std::string& name : names) text += (text.empty() || name.empty() ? "" : ", ") + name;
   return text;
 }
 

@@ -148,6 +148,13 @@ class Assembler {
       file_.header = text;
       return;
     }
+    // Units below the header.
+    if (is_table_ && header_line_seen_ && !units_seen_ && file_.zones.empty() &&
+        cells_of(text, columns_.separator, columns_.count).size() == columns_.count &&
+        !has_number(text, columns_.separator)) {
+      units_seen_ = true;
+      return;
+    }
     // Tables put one behind the other.
     if (header_line_seen_ && text == file_.header && (!in_zone_ || !blank_lines_.empty())) return;
     Point ignored;
@@ -239,7 +246,7 @@ class Assembler {
   std::vector<BlankLine> blank_lines_;  ///< in the zone, behind at least one point
   bool groups_ = false;                 ///< whether rows are grouped by a column
   std::map<std::string, std::size_t> zone_of_group_;
-  bool header_line_seen_ = false;
+  bool header_line_seen_ = false, units_seen_ = false;
   bool reserved_ = false;
 };
 

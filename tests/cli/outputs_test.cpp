@@ -161,9 +161,12 @@ TEST_F(Outputs, OfTextHaveNotes) {
 
 TEST_F(Outputs, StandardInputIsReadOnce) {
   write("two", "ZONE\n0 0\n1 0\n1 1\nZONE\n0 0\n1 0\n0 1\n");
-  const Outcome twice = run_in_bash("lober overlay -#0 -#1 < two");
-  EXPECT_EQ(twice.status, 2);
-  EXPECT_NE(twice.err.find("standard input is named twice"), std::string::npos) << twice.err;
+  for (const char* const line : {"lober overlay - - < two", "cat two | lober overlay -#0 -#1"}) {
+    const Outcome twice = run_in_bash(line);
+    EXPECT_EQ(twice.status, 2) << line;
+    EXPECT_NE(twice.err.find("standard input is named twice"), std::string::npos) << twice.err;
+  }
+  EXPECT_EQ(run_in_bash("lober overlay -#0 -#1 --areas-only < two").status, 0);  // a file, which is opened twice
   EXPECT_EQ(run_in_bash("lober overlay -#0 two#1 --areas-only < two").status, 0);
 }
 

@@ -131,7 +131,8 @@ TEST_F(ManifestTest, RefusalsNameLineAndKey) {
   EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.*\"\n[options]\nindex = \"gird\""),
             "job.toml:4: options.index: \"gird\" cannot be read as one of auto, tree, grid, kd; did you mean grid?");
   EXPECT_EQ(refusal("operation = \"overlay\"\ncurvs = \"separ.*\""),
-            "job.toml:2: curvs: there is no such key; there are name, operation, curves, with, closed, pairs, options, "
+            "job.toml:2: curvs: there is no such key; there are name, operation, curves, with, closed, periodic, "
+            "pairs, options, "
             "grid and [[group]]; did you mean curves?");
   EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.*\"\npairs = \"consecutiv\""),
             "job.toml:3: pairs: \"consecutiv\" cannot be read as pairs; give all, consecutive, product, single, "

@@ -129,6 +129,17 @@ TEST(Separators, NamesWithCommas) {
   EXPECT_EQ(parts[2].name, "d,\"e");
 }
 
+// ERDDAP's line of units, R's names of rows.
+TEST(Separators, UnitsAndNamesOfRows) {
+  expect_points("time,lon,lat\nUTC,degrees_east,degrees_north\n2020-01-01T00:00:00Z,1,2\n,3,4\n,5,-6\n", "lon,lat",
+                three);
+  expect_points("x\ty\tz\nm\tm\tm\n1\t2\t0\n3\t4\t0\n5\t-6\t0\n", "", three);
+  expect_points("\"x\" \"y\"\n\"1\" 1 2\n\"2\" 3 4\n\"3\" 5 -6\n", "x,y", three);
+  expect_fault("\"x\" \"y\"\n\"1\" 1 2\n", "",
+               "in:2: expected two columns, found 3: x, y; choose two by FILE:NAME,NAME");
+  expect_fault("t,x,y\na,b,c\nd,e,f\n0,1,2\n", "x,y", "in: no points");
+}
+
 TEST(Separators, TitlesAreNotPoints) {
   const CurveFile file = read_cells("> 1 2\n1 2 3\n4 5 6\n> 3 4\n7 8 9\n", "2,3");
   ASSERT_EQ(file.zones.size(), 2U);
