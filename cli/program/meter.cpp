@@ -137,7 +137,10 @@ void Meter::show_objects() {
 
 void Meter::write_object(std::string_view status) {
   ProgressState state = snapshot();
-  if (status == "done") state.fraction = 1;
+  if (status == "done") {
+    state.what = "done";
+    state.fraction = 1;
+  }
   const std::string line = progress_json(command_, state, status);
   write_above_status_line([&] {
     std::fwrite(line.data(), 1, line.size(), stderr);
