@@ -85,6 +85,7 @@ void run_manifest(const Arguments& arguments) {
     options.queue.memory = request->memory;
     options.progress = [&](const QueueProgress& queue) { return report_queue(queue, progress); };
     report = run_batch(manifest, options);
+    progress.count(static_cast<double>(report.queue.jobs), "jobs");
   });
   const CancellationScope shield(CancellationScope::Shield{});  // what was done is reported in any case
   warn_of(report.damaged);

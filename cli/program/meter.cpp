@@ -105,8 +105,8 @@ ProgressState Meter::snapshot() {
   const std::optional<detail::FileActivity> file = detail::file_activity();
   if (state.what.empty()) state.what = "starting";
   if (!file || !is_about_files(phase_)) return state;
-  if (file_shown_ != file->path) {
-    file_shown_ = file->path;
+  if (file_shown_ != file->number) {
+    file_shown_ = file->number;
     file_seen_ = state.seconds;
   }
   state.what = (file->is_written ? "writing " : "reading ") + std::filesystem::path(file->path).filename().string();

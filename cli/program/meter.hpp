@@ -3,6 +3,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <cstdint>
 #include <mutex>
 #include <string>
 #include <string_view>
@@ -57,7 +58,7 @@ class Meter {
   detail::GrowthForecast forecast_;  // seconds that steps take
   double step_begin_ = -1, counting_begin_ = 0;
   double file_begin_ = 0, file_share_ = 0;  // fractions of the whole
-  std::string file_shown_;
+  std::uint64_t file_shown_ = 0;
   double file_seen_ = 0;
   std::string phase_;
   double phase_begin_ = 0;

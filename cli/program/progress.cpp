@@ -27,7 +27,7 @@ bool Progress::advance(double fraction) {
   if (Meter* const meter = run_meter()) {
     const double whole = begin_ + fraction * (end_ - begin_);
     meter->fraction(whole);
-    if (total_ > 0) meter->count(total_ * whole, total_unit_);
+    if (total_ > 0) meter->count(std::floor(total_ * whole), total_unit_);
   }
   return !interrupted();
 }
