@@ -86,6 +86,7 @@ void run_manifest(const Arguments& arguments) {
     options.queue.memory = request->memory;
     options.progress = [&](const QueueProgress& queue) { return report_queue(queue, progress); };
     report = run_batch(manifest, options);
+    progress.count(static_cast<double>(report.queue.jobs), "jobs");
   });
   const CancellationScope shield(CancellationScope::Shield{});  // what was done is reported in any case
   warn_of(report.damaged);
@@ -183,6 +184,9 @@ void export_store(const Arguments& arguments) {
   const std::optional<std::string> only = operation.empty() ? std::nullopt : std::optional(operation);
   const ExportFormat kind = export_format(by_name);
   const detail::Store store = detail::Store::open(path);
+  if (output != "-") expect_written("-o", output);
+  Progress progress;
+  progress.phase("writing", 0, 1);
   const ExportCounts counts = export_results(store, output, kind, only);
   if (output != "-") {
     print(fmt::format("{} done, {} failed, {} not there yet\n", counts.done, counts.failed, counts.missing));
@@ -206,6 +210,9 @@ void merge_stores(const Arguments& arguments) {
   others.reserve(sources.size());
   for (const std::string& source : sources) others.push_back(detail::Store::open(source));
   const bool is_new = !std::filesystem::exists(target);
+  expect_written("TARGET", target);
+  Progress progress;
+  progress.phase("merging", 0, 1);
   std::optional<detail::Store> store(detail::Store::create(target));
   try {
     store->merge(others);

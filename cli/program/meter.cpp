@@ -105,8 +105,8 @@ ProgressState Meter::snapshot() {
   const std::optional<detail::FileActivity> file = detail::file_activity();
   if (state.what.empty()) state.what = "starting";
   if (!file || !is_about_files(phase_)) return state;
-  if (file_shown_ != file->path) {
-    file_shown_ = file->path;
+  if (file_shown_ != file->number) {
+    file_shown_ = file->number;
     file_seen_ = state.seconds;
   }
   state.what = (file->is_written ? "writing " : "reading ") + std::filesystem::path(file->path).filename().string();
@@ -137,7 +137,10 @@ void Meter::show_objects() {
 
 void Meter::write_object(std::string_view status) {
   ProgressState state = snapshot();
-  if (status == "done") state.fraction = 1;
+  if (status == "done") {
+    state.what = "done";
+    state.fraction = 1;
+  }
   const std::string line = progress_json(command_, state, status);
   write_above_status_line([&] {
     std::fwrite(line.data(), 1, line.size(), stderr);

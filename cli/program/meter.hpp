@@ -1,8 +1,9 @@
-// What a run does at this moment and how far it is: Progress sets it, a thread of its own shows it, so that the clock
+// The state of a run, and how far it is: Progress sets it, a thread of its own shows it, so that the clock
 // goes on inside long phases.
 #pragma once
 
 #include <condition_variable>
+#include <cstdint>
 #include <mutex>
 #include <string>
 #include <string_view>
@@ -56,12 +57,12 @@ class Meter {
   ProgressState state_;
   detail::GrowthForecast forecast_;  // seconds that steps take
   double step_begin_ = -1, counting_begin_ = 0;
-  double file_begin_ = 0, file_share_ = 0;  // of the whole
-  std::string file_shown_;
+  double file_begin_ = 0, file_share_ = 0;  // fractions of the whole
+  std::uint64_t file_shown_ = 0;
   double file_seen_ = 0;
   std::string phase_;
   double phase_begin_ = 0;
-  std::vector<std::pair<std::string, double>> seconds_;  // of phases that have ended
+  std::vector<std::pair<std::string, double>> seconds_;  // phases that have ended
   bool measured_ = false;                                // by the engine instead
   bool stop_ = false;
   std::thread thread_;

@@ -26,7 +26,7 @@ namespace {
 
 using operations::InputKind;
 
-constexpr double reading_share = 0.2;  // of the whole, where curves are read
+constexpr double reading_share = 0.2;  // a fraction of the whole, where curves are read
 
 // "C1" of "c1".
 std::string argument_name(const operations::InputSpec& input) {

@@ -1,6 +1,7 @@
 #include "cli/program/progress.hpp"
 
 #include <cmath>
+#include <exception>
 
 #include "cli/program/interrupt.hpp"
 #include "cli/program/meter.hpp"
@@ -8,7 +9,10 @@
 
 namespace lober::cli {
 
+Progress::Progress() : exceptions_(std::uncaught_exceptions()) {}
+
 Progress::~Progress() {
+  if (std::uncaught_exceptions() > exceptions_) return;  // the phase that failed is the last one
   if (Meter* const meter = run_meter()) meter->phase("writing");
 }
 
@@ -23,7 +27,7 @@ bool Progress::advance(double fraction) {
   if (Meter* const meter = run_meter()) {
     const double whole = begin_ + fraction * (end_ - begin_);
     meter->fraction(whole);
-    if (total_ > 0) meter->count(total_ * whole, total_unit_);
+    if (total_ > 0) meter->count(std::floor(total_ * whole), total_unit_);
   }
   return !interrupted();
 }

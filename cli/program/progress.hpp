@@ -11,8 +11,8 @@ namespace lober::cli {
 
 class Progress {
  public:
-  Progress() = default;
-  ~Progress();  ///< what comes after it is the phase "writing"
+  Progress();
+  ~Progress();  ///< what comes after it is the phase "writing", unless by an exception
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
@@ -31,7 +31,7 @@ class Progress {
   /// The same from now on by the fraction of the whole, which has that total.
   void of(double total, std::string_view unit);
 
-  /// What the phase is called now, for example with the number of failures so far.
+  /// The name of the phase from now on, for example with the number of failures so far.
   void label(std::string_view what);
 
   /// A step has begun, one of a sequence whose length nobody knows but whose members grow about evenly; nothing new
@@ -41,6 +41,7 @@ class Progress {
  private:
   double begin_ = 0, end_ = 0, total_ = 0;
   std::string_view total_unit_;
+  int exceptions_;
 };
 
 /// The progress of an operation: lines where nobody knows how much there is to do.

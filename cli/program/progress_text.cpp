@@ -16,7 +16,7 @@ std::string format_duration(double seconds) {
   return fmt::format("{:.1f} h", seconds / 3600);
 }
 
-// The text in so many bytes, without a part of a character of UTF-8.
+// The text in at most that number of bytes, without a part of a character of UTF-8.
 std::string shortened(const std::string& text, std::size_t bytes) {
   if (text.size() <= bytes) return text;
   std::size_t end = bytes < 3 ? 0 : bytes - 3;
@@ -36,7 +36,7 @@ double rate_of(const ProgressState& state) {
 }
 
 std::optional<double> seconds_left(const ProgressState& state) {
-  // Of long work even a thousandth tells something.
+  // Even a thousandth of long work tells something.
   if (state.fraction < 0.01 && !(state.fraction > 0 && state.seconds > 10)) return std::nullopt;
   return state.seconds * (1 - std::min(state.fraction, 1.0)) / state.fraction;
 }

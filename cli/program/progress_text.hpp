@@ -7,7 +7,7 @@
 
 namespace lober::cli {
 
-/// What there is to say about it.
+/// All that is known about it.
 struct ProgressState {
   std::string what;             ///< the phase, or the last step
   double fraction = 0;          ///< fraction of the whole command, from 0 to 1; 0 when nothing is known
@@ -27,7 +27,7 @@ struct ProgressState {
 /// characters has a shorter `what`, or is cut.
 [[nodiscard]] std::string progress_line(const ProgressState& state, std::size_t width = 1000);
 
-/// The object of --progress json, on one line with a line feed (docs/reference/running.md). `status` is "running",
+/// The object of --progress json, on one line with a line feed (docs/reference/program.md). `status` is "running",
 /// "done", "failed" or "interrupted".
 [[nodiscard]] std::string progress_json(const std::string& command, const ProgressState& state,
                                         std::string_view status);

@@ -33,7 +33,7 @@ void begin_run(const std::string& command, const RunningOptions& options);
 /// an error.
 void end_run(int status);
 
-/// Of the run; the defaults where none has begun.
+/// Those of the run; the defaults where none has begun.
 [[nodiscard]] const RunningOptions& running_options();
 /// Whether somebody wants hints: standard error is a terminal, and --quiet was not given.
 [[nodiscard]] bool wants_hints();

@@ -36,10 +36,10 @@ std::size_t error_terminal_width() {
 }
 
 std::string printable(std::string_view text) {
-  std::string shown(text);
+  std::string clean(text);
   std::replace_if(
-      shown.begin(), shown.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
-  return shown;
+      clean.begin(), clean.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
+  return clean;
 }
 
 void draw_status_line(const std::string& text) {

@@ -9,7 +9,7 @@ namespace lober::cli {
 
 /// The file may be written, as the option says; check_outputs calls this for all outputs. Not for "-" and devices.
 void expect_written(const std::string& option, const std::string& path);
-/// It holds so many curves with so many points in all; instead of its size.
+/// It holds that number of curves with that number of points in all, which is said instead of its size.
 void note_curves_written(const std::string& path, std::size_t curves, std::size_t points);
 
 /// "wrote tangle.svg (120 kB); open it in a web browser": a line for each expected file that is not as it was when it

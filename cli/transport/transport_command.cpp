@@ -4,10 +4,12 @@
 #include "cli/transport/transport_command.hpp"
 
 #include <algorithm>
+#include <cstdio>
 
 #include "cli/program/command_line.hpp"
 #include "cli/program/log.hpp"
 #include "cli/program/progress.hpp"
+#include "cli/program/running.hpp"
 #include "cli/program/table_options.hpp"
 #include "cli/program/terminal.hpp"
 #include "cli/report/agreement_report.hpp"
@@ -41,8 +43,8 @@ std::vector<Output> outputs_of(const TransportRequest& request) {
 }
 
 // Rows as they come, which an interrupt keeps. On a terminal each is printed at once, before what is said about the
-// manifolds, which goes on changing until the last row; elsewhere the table comes in the end, where a disagreement is
-// the first line.
+// manifolds, which goes on changing until the last row. Elsewhere the table comes in the end, where a disagreement is
+// the first line; people at standard error see a line for each row.
 class Rows {
  public:
   Rows(std::string system, int iterates, bool print_at_once)
@@ -52,7 +54,10 @@ class Rows {
     steps_.push_back(step);
     if (print_at_once_ && agreement_.agrees()) print_report(agreement_text(agreement));
     agreement_ = agreement;
-    if (!print_at_once_) return;
+    if (!print_at_once_) {
+      if (wants_hints()) write_above_status_line([&] { std::fputs(transport_row_line(step).c_str(), stderr); });
+      return;
+    }
     if (steps_.size() == 1) print_report(system_ + "\n" + transport_rows_head(false));
     print_report(transport_row(step));
   }

@@ -44,6 +44,8 @@ struct CurvesTransportReport {
 /// The rows between the first two regions.
 [[nodiscard]] std::string transport_rows_head(bool particles);
 [[nodiscard]] std::string transport_row(const TransportStep& step);
+/// One line for a row that is ready before the table, for a terminal that the table does not go to.
+[[nodiscard]] std::string transport_row_line(const TransportStep& step);
 [[nodiscard]] std::string transport_interruption(std::size_t rows, int iterates);
 /// T between all regions, where there are more than two.
 [[nodiscard]] std::string transport_matrix(std::span<const TransportStep> steps);

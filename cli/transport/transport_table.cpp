@@ -108,6 +108,12 @@ std::string transport_row(const TransportStep& step) {
   return pair_table(has_particles(step)).row(cells);
 }
 
+std::string transport_row_line(const TransportStep& step) {
+  const Measured lobes = step.total(0, 1), boundaries = step.by_boundaries(0, 1);
+  return fmt::format("n = {}: T12 {} +- {} by lobes, {} +- {} by boundaries\n", step.n, format_value(lobes.value),
+                     format_error(lobes), format_value(boundaries.value), format_error(boundaries));
+}
+
 std::string interrupted_transport_table(std::span<const TransportStep> steps, const Agreement& agreement,
                                         int iterates) {
   return agreement_text(agreement) + steps_table(steps) + transport_interruption(steps.size(), iterates);

@@ -10,6 +10,7 @@ namespace {
 std::mutex mutex;
 std::string path_open;  // with `open_count` and `written_now`, under the mutex
 int open_count = 0;
+std::uint64_t number_opened = 0;
 bool written_now = false;
 
 std::atomic<std::uint64_t> size_to_read{0}, bytes_read{0}, bytes_parsed{0}, bytes_to_parse{0}, bytes_written{0};
@@ -23,6 +24,7 @@ double share(std::uint64_t part, std::uint64_t all) {
 FileActivityScope::FileActivityScope(const std::string& path, bool is_written) {
   const std::lock_guard lock(mutex);
   ++open_count;
+  ++number_opened;
   path_open = path;
   written_now = is_written;
   for (auto* const number : {&size_to_read, &bytes_read, &bytes_parsed, &bytes_to_parse, &bytes_written}) *number = 0;
@@ -50,7 +52,7 @@ void note_written(std::uint64_t bytes) {
 std::optional<FileActivity> file_activity() {
   const std::lock_guard lock(mutex);
   if (open_count == 0) return std::nullopt;
-  FileActivity activity{path_open, written_now, 0, 0};
+  FileActivity activity{path_open, written_now, 0, number_opened, 0};
   if (written_now) {
     activity.bytes = static_cast<double>(bytes_written.load());
   } else if (const std::uint64_t size = size_to_read; size != 0) {

@@ -11,8 +11,9 @@ namespace lober::detail {
 struct FileActivity {
   std::string path;
   bool is_written = false;
-  double bytes = 0;     ///< written; or read, where those count half that are not parsed yet
-  double fraction = 0;  ///< of a file that is read, from 0 to 1; 0 where its size is not known
+  double bytes = 0;          ///< written; or read, where those count half that are not parsed yet
+  std::uint64_t number = 0;  ///< counts the files that were opened
+  double fraction = 0;       ///< read so far of a file, from 0 to 1; 0 where its size is not known
 };
 
 /// As long as it lives the file counts as being read or written. Where several files are open at a time, as in batches,
