@@ -53,7 +53,7 @@ Layer side_layer(std::vector<Part>& parts, Side side, const char* name, const ch
 Figure interior_figure(const InteriorAreas& result, const std::array<NamedCurve, 2>& inputs) {
   const Crossings& nodes = result.nodes;
   Figure figure{.what = "Paths of the interior method"};
-  figure.title = "C1 " + spec_of(inputs[0]) + ", C2 " + spec_of(inputs[1]);
+  figure.title = "C1 " + short_name(spec_of(inputs[0])) + ", C2 " + short_name(spec_of(inputs[1]));
   name_axes(figure, inputs[0].remark);
   figure.window = with_margin(include(include({}, nodes.curve1().points), nodes.curve2().points));
   std::vector<Part> c1 = side_parts(nodes, 1), c2 = side_parts(nodes, 2);

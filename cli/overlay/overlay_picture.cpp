@@ -41,7 +41,7 @@ void add_names(Figure& figure, const Layer& pieces, const char* prefix) {
 
 Figure overlay_frame(const Crossings& nodes, const std::array<NamedCurve, 2>& inputs) {
   Figure figure{.what = "Lobes between two curves"};
-  figure.title = "C1 " + spec_of(inputs[0]) + ", C2 " + spec_of(inputs[1]);
+  figure.title = "C1 " + short_name(spec_of(inputs[0])) + ", C2 " + short_name(spec_of(inputs[1]));
   name_axes(figure, inputs[0].remark);
   figure.window = with_margin(include(include({}, nodes.curve1().points), nodes.curve2().points));
   return figure;
@@ -80,7 +80,7 @@ Figure overlay_figure(const CurveOverlay& found, const std::array<NamedCurve, 2>
 
 Figure regions_figure(const CurveRegions& found, const std::array<NamedCurve, 2>& inputs) {
   Figure figure{.what = "Regions of two curves by a fill rule"};
-  figure.title = "C1 " + spec_of(inputs[0]) + ", C2 " + spec_of(inputs[1]);
+  figure.title = "C1 " + short_name(spec_of(inputs[0])) + ", C2 " + short_name(spec_of(inputs[1]));
   name_axes(figure, inputs[0].remark);
   Rectangle box;
   for (const NamedCurve& input : inputs) box = include(box, input.curve.points);

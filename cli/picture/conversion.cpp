@@ -84,7 +84,7 @@ void draw(void* handle, void* surface, double width, double height) {
 struct SvgSize {
   double width, height;  // points of print
 };
-// librsvg takes a pixel to be 1/96 inch, unless told otherwise, and so many of them a mm.
+// librsvg is told below that a pixel is 1/96 inch, as CSS has it.
 SvgSize size_of(void* handle) {
   SvgSize size{};
   if (rsvg_library.function<SizeInPixels>("rsvg_handle_get_intrinsic_size_in_pixels")(handle, &size.width,

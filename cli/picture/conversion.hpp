@@ -11,7 +11,7 @@ namespace lober::cli {
 
 /// The picture in the size that it has in print. Throws DataError where a library is missing or fails.
 [[nodiscard]] std::string pdf_of(const std::string& svg);
-/// In so many pixels an inch.
+/// With this number of pixels an inch.
 [[nodiscard]] std::string png_of(const std::string& svg, double resolution);
 
 }  // namespace lober::cli

@@ -33,18 +33,18 @@ struct Layer {
   std::string name{};    ///< in the data
   std::string legend{};  ///< empty: not in the legend
   std::string colour = palette::ink;
-  double width = 0.6;    ///< of lines
-  double opacity = 0.4;  ///< of fills
+  double width = 0.6;    ///< width of lines
+  double opacity = 0.4;  ///< opacity of fills
   bool even_odd = false, dashed = false;
   double arrows = 0;          ///< distance between heads of arrows along lines; 0: none
   bool arrow_at_end = false;  ///< one head, at the last point of each line
   DotShape shape = DotShape::circle;
   double radius = 1.4;
   bool hollow = false;             ///< dots
-  std::vector<Polyline> lines{};   ///< of fill, line
-  std::vector<Point> points{};     ///< of dots
-  std::vector<double> errors{};    ///< of dots: half the length of a bar along y; none, or one for each
-  std::vector<Rectangle> boxes{};  ///< of boxes, opaque
+  std::vector<Polyline> lines{};   ///< lines, or outlines of fills
+  std::vector<Point> points{};     ///< the dots
+  std::vector<double> errors{};    ///< half the length of a bar of a dot along y; none, or one for each
+  std::vector<Rectangle> boxes{};  ///< the boxes, opaque
 };
 
 [[nodiscard]] inline Layer line_layer(std::string name, std::string legend, std::string colour, double width = 0.6) {
@@ -74,9 +74,9 @@ struct FigureLabel {
   enum class Position : std::uint8_t { beside, inside, outside };
   Position position = Position::beside;
   std::string text{};
-  Point at{};           ///< of beside
-  double radius = 1.5;  ///< of the dot there
-  Polyline polygon{};   ///< of inside and outside
+  Point at{};           ///< where `beside` is
+  double radius = 1.5;  ///< radius of the dot there
+  Polyline polygon{};   ///< where `inside` and `outside` are
   double size = 7.5;
 };
 

@@ -57,8 +57,8 @@ Layout layout_of(const Figure& figure, const FigureStyle& style, const Rectangle
 }
 
 // A name that is longer than its axis is set smaller, down to half.
-double fitting_size(std::string_view text, double room) {
-  return name_size * std::clamp(room / std::max(1.0, text_width(text, name_size)), 0.5, 1.0);
+double fitting_size(std::string_view text, double length) {
+  return name_size * std::clamp(length / std::max(1.0, text_width(text, name_size)), 0.5, 1.0);
 }
 
 void add_straight(std::string& svg, PrintPoint a, PrintPoint b, const char* colour, double width) {
@@ -91,7 +91,8 @@ void add_guides(std::string& svg, const Figure& figure, const Layout& layout, co
 std::string figure_svg(const Figure& figure, const FigureStyle& style) {
   const Rectangle window = drawable_window(style.window ? *style.window : figure.window);
   const double width = style.width * points_in_mm;
-  const Legend legend(style.legend ? figure : Figure{}, width - 2 * border);
+  const Figure nothing;
+  const Legend legend(style.legend ? figure : nothing, width - 2 * border);
   const Layout layout = layout_of(figure, style, window, legend.height());
   const View view(window, layout.plot);
   std::string svg;

@@ -8,11 +8,11 @@
 
 namespace lober::cli {
 
-/// What the options of pictures say (picture_options.hpp).
+/// The choices that the options of pictures leave to users (picture_options.hpp).
 struct FigureStyle {
   std::optional<Rectangle> window{};  ///< part of the plane that is shown; none: the figure's own
   std::optional<Rectangle> inset{};   ///< part that is shown once more, magnified
-  double width = 85;                  ///< of the picture in mm: a column of a journal
+  double width = 85;                  ///< width of the picture in mm: a column of a journal
   std::optional<double> height{};     ///< in mm; none: as the window asks for
   bool legend = true;
 };

@@ -13,7 +13,7 @@
 namespace lober::cli {
 namespace {
 
-constexpr double inset_tick_size = 5.5, inset_gap = 3, inset_share = 0.42;  // of the plot's width and height
+constexpr double inset_tick_size = 5.5, inset_gap = 3, inset_share = 0.42;  // share: part of the plot's sides
 
 // The lengths of lines and outlines, and the number of dots, on a coarse grid over the plot.
 class Occupancy {
@@ -114,7 +114,10 @@ void Inset::draw(std::string& svg) const {
     append_all(svg, "<rect x=\"", hundredth(frame.x), "\" y=\"", hundredth(frame.y), "\" width=\"",
                hundredth(frame.width), "\" height=\"", hundredth(frame.height), "\" ", style, "/>\n");
   };
-  rectangle(source, "fill=\"none\" stroke=\"#222222\" stroke-width=\"0.5\"");
+  const Frame& all = plot_.frame();
+  const bool in_plot =
+      source.right() > all.x && source.x < all.right() && source.bottom() > all.y && source.y < all.bottom();
+  if (in_plot) rectangle(source, "fill=\"none\" stroke=\"#222222\" stroke-width=\"0.5\"");
   const auto corners = [](const Frame& f) {
     return std::array<PrintPoint, 4>{{{f.x, f.y}, {f.right(), f.y}, {f.right(), f.bottom()}, {f.x, f.bottom()}}};
   };
@@ -127,7 +130,7 @@ void Inset::draw(std::string& svg) const {
     }
     return false;
   };
-  for (std::size_t k = 0; k < 4; ++k) {
+  for (std::size_t k = 0; k < 4 && in_plot; ++k) {
     if (crosses(source, from[k], to[k]) || crosses(inner_, from[k], to[k])) continue;
     append_all(svg, "<path d=\"M", hundredth(from[k].x), " ", hundredth(from[k].y), "L", hundredth(to[k].x), " ",
                hundredth(to[k].y), "\" stroke=\"#666666\" stroke-width=\"0.35\"/>\n");

@@ -13,7 +13,7 @@ class Inset {
  public:
   Inset(const Figure& figure, const View& plot, const Rectangle& window);
 
-  /// What it covers, texts of its ticks included.
+  /// The rectangle that it covers, texts of its ticks included.
   [[nodiscard]] const Frame& outer() const { return outer_; }
   /// Appends it, with the outline of its window in the plot and lines from one to the other.
   void draw(std::string& svg) const;

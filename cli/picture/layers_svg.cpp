@@ -12,7 +12,7 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::size_t max_path_points = 60'000;  // of a path: a picture stays below a megabyte or so
+constexpr std::size_t max_path_points = 60'000;  // points of a path: a picture stays below a megabyte or so
 constexpr double arrow_length = 4.5;
 
 void add_arrow_head(std::string& svg, PrintPoint from, PrintPoint apex, double length, std::string_view colour) {

@@ -10,7 +10,7 @@ namespace lober::cli {
 
 class Legend {
  public:
-  /// What the layers and notes of a figure say, each text once, for this width in points of print.
+  /// The texts of the layers and notes of a figure, each once, for this width in points of print. Borrows the figure.
   Legend(const Figure& figure, double width);
 
   [[nodiscard]] double height() const;  ///< 0 where there is nothing to say

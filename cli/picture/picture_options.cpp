@@ -78,7 +78,7 @@ Option add_picture_options(OptionParser& parser, PictureRequest& request, const 
   parser
       .add("--size", request.size,
            "The width of the picture in print, and its height, in mm (default: 85, a column of a journal, and the "
-           "height that the window asks for). Range: 30 to 2000.")
+           "height that the window asks for).")
       .comma_separated()
       .count(1, 2)
       .range(30.0, 2000.0)

@@ -44,6 +44,11 @@ void name_axes(Figure& figure, const std::string& remark) {
   if (remark.find("square degrees") != std::string::npos) figure.x.unit = figure.y.unit = "degrees";
 }
 
+std::string short_name(const std::string& spec) {
+  const std::size_t end = spec.find('#'), slash = spec.rfind('/', end);
+  return slash == std::string::npos ? spec : spec.substr(slash + 1);
+}
+
 Rectangle with_margin(const Rectangle& box) {
   return box.empty() ? box : widened(box, 1.0 / 30);
 }

@@ -1,4 +1,4 @@
-// What pictures of several commands have in common: titles, names of axes, windows.
+// Parts that pictures of several commands have in common: titles, names of axes, windows.
 #pragma once
 
 #include <string>
@@ -18,6 +18,8 @@ void name_axes(Figure& figure, const std::string& remark);
 
 /// The box widened by a thirtieth on each side, so that nothing lies on the frame.
 [[nodiscard]] Rectangle with_margin(const Rectangle& box);
+/// "eddy.csv#0" for the curve of a file, without its folder.
+[[nodiscard]] std::string short_name(const std::string& spec);
 /// A number with six digits.
 [[nodiscard]] std::string rounded(double value);
 

@@ -1,6 +1,6 @@
 #include "cli/program/curves_run.hpp"
-#include "cli/picture/figure.hpp"
 
+#include "cli/picture/figure.hpp"
 #include "cli/program/log.hpp"
 #include "cli/program/table_options.hpp"
 #include "cli/report/outcome_json.hpp"

@@ -167,7 +167,7 @@ Figure tangle_figure(const TangleReport& report, const PictureRequest& how) {
     figure.title = system_title(report.origin->system->info);
     name_axes(figure, *report.origin->system);
   } else {
-    figure.title = "U " + spec_of(report.inputs[0]) + ", S " + spec_of(report.inputs[1]);
+    figure.title = "U " + short_name(spec_of(report.inputs[0])) + ", S " + short_name(spec_of(report.inputs[1]));
     name_axes(figure, report.inputs[0].remark);
   }
   std::vector<std::vector<Point>> outlines;
