@@ -1,5 +1,8 @@
 #include "cli/doctor/optional_parts.hpp"
 
+#include <filesystem>
+
+#include "cli/picture/conversion.hpp"
 #include "lober/curve/formats.hpp"
 
 namespace lober::cli {
@@ -9,6 +12,7 @@ std::vector<OptionalPart> optional_parts() {
     if (!format.library.empty())
       parts.push_back({std::string(format.name), format.missing.empty(), std::string(format.library)});
   }
+  parts.push_back({"PDF and PNG pictures", reason_no_conversion().empty(), "librsvg2-2"});
   return parts;
 }
 

@@ -29,7 +29,8 @@ struct EscapeRequest {
   std::vector<std::string> parameters, saddles;
   std::vector<operations::OptionSetting> settings;
   bool lists_counts = false;  ///< whether counts of trajectories were asked for
-  std::string json, svg, html, curves, tubes, format;
+  std::string json, html, curves, tubes, format;
+  PictureRequest picture;
   int threads = 0;
 };
 
@@ -51,8 +52,7 @@ std::optional<EscapeRequest> parse_escape(const std::vector<std::string>& argume
   const Option count = options["monte_carlo"];
   options["seed"].needs(count);
   add_json_option(parser, request.json);
-  parser.add("--svg", request.svg, "Draw the curves on the section as an SVG picture in FILE (default: no file).")
-      .value("FILE");
+  add_picture_options(parser, request.picture, "the curves on the section");
   add_html_option(parser, request.html);
   parser
       .add("--curves", request.curves,
@@ -63,7 +63,7 @@ std::optional<EscapeRequest> parse_escape(const std::vector<std::string>& argume
   parser
       .add("--tubes", request.tubes,
            "Write the surfaces of the tubes between their orbits and the section to FILE, in the coordinates x, y and "
-           "the velocity on the section: as legacy VTK (.vtk), or drawn as an SVG picture (.svg) (default: no file).")
+           "the velocity on the section: as legacy VTK (.vtk), or drawn as .svg, .pdf or .png (default: no file).")
       .value("FILE");
   add_table_option(parser);
   add_threads_option(parser, request.threads);
@@ -121,25 +121,27 @@ void compute(const EscapeRequest& request, bool print_at_once, EscapeReport& rep
 }
 
 // After all numbers are out: a picture that cannot be drawn costs none of them.
-void draw(const std::string& path, const EscapeReport& report) {
-  std::string picture;
+void draw(const PictureRequest& request, const EscapeReport& report) {
+  Figure figure;
   try {
-    picture = escape_picture(report);
+    figure = escape_figure(report);
   } catch (const DataError& error) {
-    log_warning("--svg: no picture is drawn: " + std::string(error.what()));
+    log_warning("--picture: no picture is drawn: " + std::string(error.what()));
     return;
   }
-  write_file(path, picture);
+  write_figure(request, figure);
 }
 
 void run(const EscapeRequest& request) {
   const detail::Stopwatch watch;
-  const std::vector<Output> outputs = checked_outputs({{"--json", request.json},
-                                                       {"--svg", request.svg},
-                                                       {"--html", request.html},
-                                                       {"--curves", request.curves, request.format},
-                                                       {"--tubes", request.tubes}},
-                                                      files_of_system(request.system));
+  std::vector<Output> outputs = request.picture.outputs();
+  for (const auto& [option, path] : {std::pair{"--json", request.json},
+                                     {"--html", request.html},
+                                     {"--curves", request.curves},
+                                     {"--tubes", request.tubes}}) {
+    if (!path.empty()) outputs.push_back({option, path, option == std::string_view("--curves") ? request.format : ""});
+  }
+  check_outputs(outputs, files_of_system(request.system));
   const bool printing = !takes_standard_output(outputs);
   // Rows are printed as soon as they are known; where trajectories are asked for they may take long, and if they
   // contradict a row the first line says so.
@@ -155,7 +157,7 @@ void run(const EscapeRequest& request) {
       progress.phase("writing", 0.95, 1);
     }
     if (!request.curves.empty()) write_escape_curves(request.curves, request.format, report);
-    if (!request.tubes.empty()) write_escape_tubes(request.tubes, *report.flow, report);
+    if (!request.tubes.empty()) write_escape_tubes(request.tubes, *report.flow, report, request.picture.style());
     if (!request.json.empty()) {
       System chosen;
       chosen.info = report.system;
@@ -172,7 +174,7 @@ void run(const EscapeRequest& request) {
     for (int n = 1; n <= result.crossings; ++n) print_report(escape_rows(result, n));
   }
   if (printing) print_report(escape_summary(report));
-  if (!request.svg.empty()) draw(request.svg, report);
+  if (request.picture.asked()) draw(request.picture, report);
   if (!request.html.empty()) write_page(request.html, report);
   if (result.stop == EscapeStop::cancelled) throw Cancelled();
   require_agreement(result.agreement);

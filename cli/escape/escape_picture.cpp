@@ -1,22 +1,18 @@
-// The picture of an escape: the curves on the section as Naik, Lekien & Ross (2017) draw them, unstable tubes red,
-// stable ones green.
+// The picture of an escape: the curves on the section, those of unstable tubes in the colour of U, of stable ones in
+// that of S.
 
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
 
 #include "cli/escape/escape_report.hpp"
-#include "cli/report/svg.hpp"
+#include "cli/picture/system_figure.hpp"
 #include "lober/base/error.hpp"
 #include "lober/overlay/overlay.hpp"
 #include "lober/overlay/regions.hpp"
 
 namespace lober::cli {
 namespace {
-
-constexpr const char* entry_colour = "#c0392b";
-constexpr const char* exit_colour = "#1e8449";
-constexpr const char* common_colour = "#1f3a68";
 
 struct Drawn {
   CurveView curve;
@@ -61,16 +57,16 @@ Polygons common_polygons(const ClosedCurve& first, const ClosedCurve& second) {
   return polygons;
 }
 
-void add_overlap(std::string& path, const View& view, const ClosedCurve& first, const ClosedCurve& second) {
-  const Polygons polygons = common_polygons(first, second);
-  path += path_of(view, max_manifold_path_points, [&](PathWriter& writer) {
-    for (const std::vector<Point>& polygon : polygons) writer.add_polygon(polygon);
-  });
+void add_overlap(Layer& layer, const ClosedCurve& first, const ClosedCurve& second) {
+  for (std::vector<Point>& polygon : common_polygons(first, second)) {
+    layer.lines.push_back(polyline(std::move(polygon), true));
+  }
 }
 
 // Each fraction of the table once, where a split of it lies on this side of the section, as even as can be.
-std::string overlaps_path(const View& view, const Escape& result) {
-  std::string path;
+Layer overlaps_layer(const Escape& result) {
+  Layer layer = fill_layer("overlaps", "what goes from one to the other", palette::common);
+  layer.opacity = 0.6;
   for (const EscapeFraction& row : result.table) {
     if (!row.is_known() || row.fraction == 0) continue;
     const auto& forward = result.bottlenecks[row.entry].entry;
@@ -82,7 +78,7 @@ std::string overlaps_path(const View& view, const Escape& result) {
       if (best < 0 || std::abs(2 * a - row.iterates) < std::abs(2 * best - row.iterates)) best = a;
     }
     if (best >= 0) {
-      add_overlap(path, view, forward[static_cast<std::size_t>(best)].view(),
+      add_overlap(layer, forward[static_cast<std::size_t>(best)].view(),
                   backward[static_cast<std::size_t>(row.iterates - best)].view());
     }
   }
@@ -90,36 +86,47 @@ std::string overlaps_path(const View& view, const Escape& result) {
     for (const Bottleneck& from : result.bottlenecks) {
       for (const Bottleneck& to : result.bottlenecks) {
         if (from.entry[0].direction == to.exit[0].direction) {
-          add_overlap(path, view, from.entry[0].view(), to.exit[0].view());
+          add_overlap(layer, from.entry[0].view(), to.exit[0].view());
         }
       }
     }
   }
-  return path;
+  return layer;
 }
 
 }  // namespace
 
-std::string escape_picture(const EscapeReport& report) {
+Figure escape_figure(const EscapeReport& report) {
   const std::vector<Drawn> curves = curves_on_section(report.result());
   if (curves.empty()) throw DataError("no curve crosses the section in its direction");
   Rectangle window;
   for (const Drawn& drawn : curves) window = include(window, drawn.curve.points);
-  const View view(window);
-  std::string svg;
-  begin_picture(svg, view, "Tubes of " + report.system.name + " on a section", 2);
-  add_filled(svg, common_colour, "nonzero", overlaps_path(view, report.result()));
-  // First curves are thick, later images thinner.
-  for (const Drawn& drawn : curves) {
-    add_stroked(svg, drawn.entry ? entry_colour : exit_colour, drawn.image == 0 ? 2.2 : 1.0,
-                polygon_path(view, drawn.curve.points, max_manifold_path_points));
+  Figure figure{.what = "Tubes of " + report.system.name + " on a section", .title = system_title(report.system)};
+  System system;
+  system.flow = report.flow;
+  system.section = report.result().section;
+  name_axes(figure, system);
+  figure.plane = false;  // a coordinate and its velocity
+  figure.window = with_margin(window);
+  Layer overlaps = overlaps_layer(report.result());
+  if (!overlaps.lines.empty()) figure.layers.push_back(std::move(overlaps));
+  // First curves are thick, later images not.
+  for (const bool first : {false, true}) {
+    for (const bool entry : {true, false}) {
+      Layer layer = line_layer(std::string(entry ? "entrances" : "exits") + (first ? "" : ", images"),
+                               entry   ? first ? "unstable tubes" : "their images"
+                               : first ? "stable tubes"
+                                       : "their pre-images",
+                               entry ? palette::unstable : palette::stable, first ? 1.1 : 0.4);
+      for (const Drawn& drawn : curves) {
+        if (drawn.entry == entry && (drawn.image == 0) == first) {
+          layer.lines.push_back(polyline(drawn.curve.points, true));
+        }
+      }
+      if (!layer.lines.empty()) figure.layers.push_back(std::move(layer));
+    }
   }
-  begin_legend(svg);
-  add_legend_entry(svg, view, 0, 0, line_swatch(entry_colour, 2), "unstable tubes and their images");
-  add_legend_entry(svg, view, 1, 0, line_swatch(exit_colour, 2), "stable tubes and their pre-images");
-  add_legend_entry(svg, view, 0, 1, filled_swatch(common_colour), "what goes from one to the other");
-  end_picture(svg);
-  return svg;
+  return figure;
 }
 
 }  // namespace lober::cli

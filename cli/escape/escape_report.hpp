@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/picture/picture_options.hpp"
 #include "engine/operations/escape_choice.hpp"
 #include "lober/operations.hpp"
 
@@ -40,15 +41,16 @@ using detail::table::bottleneck_names;
 /// trajectories which do not get here leave open.
 void write_escape_curves(const std::string& path, const std::string& format, const EscapeReport& report);
 
-/// Whether tubes are written as legacy VTK, not drawn as SVG. Throws UsageError for another ending.
+/// Whether tubes are written as legacy VTK, not drawn. Throws UsageError for another ending.
 [[nodiscard]] bool is_vtk(const std::string& path);
 /// The surfaces of all tubes between their orbits and the section, the coordinate across the section, the other
-/// position and its velocity as x, y and z: as quads for other programs (.vtk), or as a picture (.svg). Throws
-/// DataError when there is none.
-void write_escape_tubes(const std::string& path, const Flow& flow, const EscapeReport& report);
+/// position and its velocity as x, y and z: as quads for other programs (.vtk), or as a picture (.svg, .pdf, .png).
+/// Throws DataError when there is none.
+void write_escape_tubes(const std::string& path, const Flow& flow, const EscapeReport& report,
+                        const FigureStyle& style);
 
-/// The curves on the section in its direction, with their common parts filled, as SVG. Throws DataError when
-/// there is none.
-[[nodiscard]] std::string escape_picture(const EscapeReport& report);
+/// The curves on the section in its direction, with their common parts filled; borrowed. Throws DataError when there is
+/// none.
+[[nodiscard]] Figure escape_figure(const EscapeReport& report);
 
 }  // namespace lober::cli

@@ -6,9 +6,10 @@
 #include <optional>
 
 #include "cli/escape/escape_report.hpp"
-#include "cli/report/svg.hpp"
+#include "cli/picture/system_figure.hpp"
 #include "cli/report/text.hpp"
 #include "lober/base/error.hpp"
+#include "lober/curve/drawing.hpp"
 #include "lober/curve/files.hpp"
 #include "lober/dynamics/tube_surface.hpp"
 
@@ -94,15 +95,14 @@ struct Facet {
   std::array<Point, 4> corners;
   double depth;
   const char* colour;
-  double opacity;
 };
 
 // Darker the more a facet is turned towards the eye.
 const char* shade(bool entry, double facing) {
-  constexpr std::array<const char*, 6> red{"#ecc4bf", "#e2a69f", "#d8887f", "#cd6b60", "#bd5044", "#a93f34"},
-      green{"#c3e3cf", "#a1d4b3", "#7fc497", "#5eb47c", "#429d62", "#31844e"};
+  constexpr std::array<const char*, 6> of_entry{"#f7d3b8", "#f2b98f", "#eb9c62", "#e27e34", "#d55e00", "#a94b00"},
+      of_exit{"#c4dcec", "#9bc5e0", "#6eaad0", "#3d8ec1", "#0072b2", "#005a8d"};
   const auto level = static_cast<std::size_t>(std::min(5.0, std::floor(6 * facing)));
-  return entry ? red[level] : green[level];
+  return entry ? of_entry[level] : of_exit[level];
 }
 
 void add_facets(std::vector<Facet>& facets, const Surface& surface, const Projection& project, const Section& section) {
@@ -127,47 +127,34 @@ void add_facets(std::vector<Facet>& facets, const Surface& surface, const Projec
       const Position3 a = between(seen[0], seen[2]), b = between(seen[1], seen[3]);
       const double x = a.y * b.z - a.z * b.y, y = a.z * b.x - a.x * b.z, z = a.x * b.y - a.y * b.x;
       const double size = std::hypot(x, y, z);
-      facets.push_back({corners, depth, shade(surface.entry, size > 0 ? std::fabs(z) / size : 0), 0.9});
+      facets.push_back({corners, depth, shade(surface.entry, size > 0 ? std::fabs(z) / size : 0)});
     }
   }
 }
 
-std::string drawn_facet(const View& view, const Facet& facet) {
-  std::string path;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Pixel at = view(facet.corners[k]);
-    append_all(path, k == 0 ? "M" : "L", subpixel(at.x), " ", subpixel(at.y));
-  }
-  std::string svg;
-  append_all(svg, "<path fill=\"", facet.colour, "\" fill-opacity=\"", facet.opacity, "\" d=\"", path, "z\"/>\n");
-  return svg;
-}
-
-// Draws the axes from a corner of the box, with the names of the coordinates.
-void add_axes(std::string& svg, std::string& texts, const View& view, const Projection& project,
-              const std::array<std::string, 3>& names) {
-  const Pixel origin = view(project(project.corner(0, 0, 0)).at);
+// The axes from a corner of the box, with the names of the coordinates.
+void add_axes_of_box(Figure& figure, const Projection& project, const std::array<std::string, 3>& names) {
+  Layer axes = line_layer("axes", "", "#777777", 0.5);
+  axes.arrow_at_end = true;
+  const Point origin = project(project.corner(0, 0, 0)).at;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Pixel end = view(project(project.corner(k == 0, k == 1, k == 2)).at);
-    std::string path;
-    append_all(path, "M", subpixel(origin.x), " ", subpixel(origin.y), "L", subpixel(end.x), " ", subpixel(end.y));
-    add_stroked(svg, "#8a877f", 1.2, path);
-    add_arrow_head(svg, origin, end, 11, "#8a877f");
-    append_all(texts, "<text x=\"", std::round(end.x) + 6, "\" y=\"", std::round(end.y) - 4,
-               "\" font-family=\"sans-serif\" font-size=\"16\" fill=\"#333333\">", names[k], "</text>\n");
+    const Point end = project(project.corner(k == 0, k == 1, k == 2)).at;
+    axes.lines.push_back(polyline(std::vector<Point>{origin, end}, false, names[k]));
+    figure.labels.push_back({.text = names[k], .at = end, .radius = 2, .size = 8});
   }
+  figure.layers.push_back(std::move(axes));
 }
 
 // Names of the coordinates of systems that have bottlenecks: positions, then momenta or velocities.
 std::array<std::string, 3> names_of(const Section& section) {
-  constexpr std::array<const char*, 4> names{"x", "y", "vx", "vy"};
+  constexpr std::array<const char*, 4> names{"x", "y", "v_{x}", "v_{y}"};
   const auto name = [&](int coordinate) -> std::string {
     return coordinate < 4 ? names[static_cast<std::size_t>(coordinate)] : std::to_string(coordinate);
   };
   return {name(section.coordinate), name(section.chart_x), name(section.chart_y)};
 }
 
-std::string picture(const Flow& flow, const EscapeReport& report) {
+Figure tubes_figure(const Flow& flow, const EscapeReport& report) {
   const std::vector<Surface> surfaces = surfaces_of(flow, report, 32, 18);
   const Section& section = report.result().section;
   const Projection project(surfaces, section);
@@ -179,7 +166,7 @@ std::string picture(const Flow& flow, const EscapeReport& report) {
   }
   for (const Facet& facet : facets) window = include(window, facet.corners);
   // The plane of the section, as far as the box reaches.
-  Facet plane{{}, 0, "#b784c9", 0.35};
+  Facet plane{{}, 0, palette::flux};
   for (std::size_t k = 0; k < 4; ++k) {
     Position3 corner = project.corner(0, k == 1 || k == 2, k >= 2);
     corner.x = section.value;
@@ -189,23 +176,28 @@ std::string picture(const Flow& flow, const EscapeReport& report) {
   }
   facets.push_back(plane);
   std::stable_sort(facets.begin(), facets.end(), [](const Facet& a, const Facet& b) { return a.depth < b.depth; });
-  const View view(window);
-  std::string svg, texts;
-  begin_picture(svg, view, "Tubes of " + report.system.name, 2);
+  Figure figure{.what = "Tubes of " + report.system.name, .title = system_title(report.system)};
+  figure.axes = false;
+  figure.window = widened(window, 0.06);
   const std::array<std::string, 3> names = names_of(section);
-  add_axes(svg, texts, view, project, names);
-  for (const Facet& facet : facets) svg += drawn_facet(view, facet);
-  begin_legend(svg);
-  svg += texts;
-  const auto swatch = [](const char* colour) {
-    return std::string("<rect y=\"-8\" width=\"26\" height=\"16\" fill=\"") + colour + "\"/>";
+  add_axes_of_box(figure, project, names);
+  // One layer from the farthest to the nearest.
+  Layer all = fill_layer("facets", "", palette::ink);
+  all.opacity = 0.9;
+  for (const Facet& facet : facets) {
+    all.lines.push_back(polyline(std::vector<Point>(facet.corners.begin(), facet.corners.end()), true));
+    all.lines.back().colour = facet.colour;
+  }
+  const auto sample = [&](const char* name, const char* colour, const std::string& text) {
+    Layer layer = fill_layer(name, text, colour);
+    layer.opacity = 0.9;
+    figure.layers.push_back(std::move(layer));
   };
-  add_legend_entry(svg, view, 0, 0, swatch("#d0695c"), "unstable tubes: what enters");
-  add_legend_entry(svg, view, 1, 0, swatch("#52be80"), "stable tubes: what leaves");
-  add_legend_entry(svg, view, 0, 1, swatch("#dbc1e4"), "section " + names[0] + " = " + rounded(section.value));
-  add_legend_entry(svg, view, 1, 1, "", report.system.name + ", energy " + rounded(report.result().energy));
-  end_picture(svg);
-  return svg;
+  sample("unstable", shade(true, 0.5), "unstable tubes: what enters");
+  sample("stable", shade(false, 0.5), "stable tubes: what leaves");
+  sample("section", palette::flux, "section " + names[0] + " = " + rounded(section.value));
+  figure.layers.push_back(std::move(all));
+  return figure;
 }
 
 // Quads with the coordinate that is left as a scalar, and the number of the tube.
@@ -255,12 +247,18 @@ std::string vtk(const Flow& flow, const EscapeReport& report) {
 
 bool is_vtk(const std::string& path) {
   if (path.ends_with(".vtk")) return true;
-  if (path.ends_with(".svg")) return false;
-  throw UsageError("--tubes " + path + ": tubes are written as .vtk, or drawn as .svg; use one of these endings");
+  if (path.ends_with(".svg") || path.ends_with(".pdf") || path.ends_with(".png")) return false;
+  throw UsageError("--tubes " + path +
+                   ": tubes are written as .vtk, or drawn as .svg, .pdf or .png; use one of these endings");
 }
 
-void write_escape_tubes(const std::string& path, const Flow& flow, const EscapeReport& report) {
-  write_file(path, is_vtk(path) ? vtk(flow, report) : picture(flow, report));
+void write_escape_tubes(const std::string& path, const Flow& flow, const EscapeReport& report,
+                        const FigureStyle& style) {
+  if (is_vtk(path)) return write_file(path, vtk(flow, report));
+  FigureStyle whole = style;  // a window is that of the section
+  whole.window.reset();
+  whole.inset.reset();
+  write_figure(path, tubes_figure(flow, report), whole);
 }
 
 }  // namespace lober::cli

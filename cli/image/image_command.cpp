@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "cli/image/image_report.hpp"
+#include "cli/picture/picture_options.hpp"
 #include "cli/program/command_line.hpp"
 #include "cli/program/output_names.hpp"
 #include "cli/program/progress.hpp"
@@ -22,9 +23,9 @@ namespace {
 struct ImageRequest {
   SystemRequest system;
   std::string curve;
-  std::vector<double> window;
+  PictureRequest picture;
   bool open = false;
-  std::string iterates = "1", output, json, svg, format;
+  std::string iterates = "1", output, json, format;
   int first = 0, last = 0;  // numbers of iterates
   int threads = 0;
   std::vector<operations::OptionSetting> settings;
@@ -91,9 +92,7 @@ std::optional<ImageRequest> parse_image(const std::vector<std::string>& argument
                .c_str())
       .value("FILE");
   add_format_option(parser, request.format);
-  const Option picture =
-      parser.add("--svg", request.svg, "Draw all images as an SVG picture in FILE (default: no file).").value("FILE");
-  add_window_option(parser, request.window, picture);
+  add_picture_options(parser, request.picture, "all images");
   add_json_option(parser, request.json);
   add_table_option(parser);
   add_threads_option(parser, request.threads);
@@ -108,7 +107,7 @@ std::optional<ImageRequest> parse_image(const std::vector<std::string>& argument
 }
 
 std::vector<Output> outputs_of(const ImageRequest& request) {
-  std::vector<Output> outputs;
+  std::vector<Output> outputs = request.picture.outputs();
   if (!request.output.empty()) {
     for (int n = request.first; n <= request.last; ++n) {
       const std::string path = image_path(request.output, n);
@@ -118,7 +117,6 @@ std::vector<Output> outputs_of(const ImageRequest& request) {
     }
   }
   if (!request.json.empty()) outputs.push_back({"--json", request.json});
-  if (!request.svg.empty()) outputs.push_back({"--svg", request.svg});
   return outputs;
 }
 
@@ -149,7 +147,7 @@ void run(const ImageRequest& request) {
     progress.phase("writing", 0.9, 1);
     const detail::Stopwatch write_watch;
     if (!request.output.empty()) write_images(request.output, request.format, report);
-    if (!request.svg.empty()) write_image_picture(request.svg, report, window_of(request.window));
+    if (request.picture.asked()) write_figure(request.picture, image_figure(report));
     report.write_seconds = write_watch.seconds();
     if (!request.json.empty()) write_image_json(request.json, report, [&] { return watch.seconds(); });
   }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/picture/figure.hpp"
 #include "cli/report/report.hpp"
 #include "lober/curve/files.hpp"
 #include "lober/operations.hpp"
@@ -26,8 +27,8 @@ struct ImageReport {
 /// The short table for people.
 [[nodiscard]] std::string image_table(const ImageReport& report);
 /// Curves in one colour for pre-images, one for images.
-/// `window`: the part of the plane that is drawn; without one all.
-void write_image_picture(const std::string& path, const ImageReport& report, const std::optional<Rectangle>& window);
+/// Borrows them.
+[[nodiscard]] Figure image_figure(const ImageReport& report);
 /// Writes the JSON object (docs/conventions.md, section 13); `seconds_so_far` gives the time since the program began.
 void write_image_json(const std::string& path, ImageReport& report, const std::function<double()>& seconds_so_far);
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "cli/interior/interior_report.hpp"
+#include "cli/picture/picture_options.hpp"
 #include "cli/program/command_line.hpp"
 #include "cli/program/running.hpp"
 #include "cli/program/table_options.hpp"
@@ -22,7 +23,8 @@ namespace {
 struct InteriorRequest {
   std::array<std::string, 2> curves;
   Periods periods;
-  std::string json, svg, rule;
+  std::string json, rule;
+  PictureRequest picture;
   std::vector<operations::OptionSetting> settings;
   int threads = 0;
 };
@@ -36,15 +38,13 @@ std::optional<InteriorRequest> parse_interior(const std::vector<std::string>& ar
       "lober interior");
   add_curve_arguments(parser, request.curves, request.periods);
   TableOptions options(parser, operations::named("interior"));
-  const Option svg = parser
-                         .add("--svg", request.svg,
-                              "Draw the parts of both curves outside and inside of each other, the paths of Q1, Q2 "
-                              "and Q3, as an SVG picture in FILE (default: no file).")
-                         .value("FILE");
+  const Option picture =
+      add_picture_options(parser, request.picture,
+                          "the parts of both curves outside and inside of each other, the paths of Q1, Q2 and Q3,");
   add_json_option(parser, request.json);
   add_table_option(parser);
   add_threads_option(parser, request.threads);
-  Option rule = add_rule_option(parser, request.rule).excludes(svg);
+  Option rule = add_rule_option(parser, request.rule).excludes(picture);
   for (const char* const key : {"method", "passes", "points", "check_simple", "verify"}) rule.excludes(options[key]);
   if (!parser.parse(arguments)) return std::nullopt;
   request.settings = options.settings();
@@ -88,9 +88,8 @@ std::string areas_by_rule(const CurvesReport& report) {
 
 void run(const InteriorRequest& request) {
   const detail::Stopwatch watch;
-  std::vector<Output> outputs;
+  std::vector<Output> outputs = request.picture.outputs();
   if (!request.json.empty()) outputs.push_back({"--json", request.json});
-  if (!request.svg.empty()) outputs.push_back({"--svg", request.svg});
   check_outputs(outputs, request.curves);
   const bool by_rule = !request.rule.empty();
   CurvesReport report;
@@ -100,7 +99,9 @@ void run(const InteriorRequest& request) {
         run_on_curves(by_rule ? "regions" : "interior", request.curves, request.settings, request.periods, progress);
     progress.phase("writing", 0.9, 1);
     const auto total = [&] { return watch.seconds(); };
-    if (!request.svg.empty()) write_interior_picture(request.svg, report.outcome.as<operations::CurveInterior>());
+    if (request.picture.asked() && !by_rule) {
+      write_figure(request.picture, interior_figure(report.outcome.as<operations::CurveInterior>(), report.inputs));
+    }
     if (!request.json.empty())
       by_rule ? write_regions_json(request.json, "interior", report, total) : write_json(request.json, report, total);
   }

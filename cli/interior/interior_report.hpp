@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "cli/picture/figure.hpp"
 #include "cli/program/curves_run.hpp"
 
 namespace lober::cli {
@@ -10,7 +11,7 @@ namespace lober::cli {
 /// The short aligned table for people.
 [[nodiscard]] std::string interior_table(const CurvesReport& report);
 
-/// The parts of both curves outside and inside of each other, the paths of Q1, Q2 and Q3, as an SVG picture.
-void write_interior_picture(const std::string& path, const InteriorAreas& result);
+/// The parts of both curves outside and inside of each other, the paths of Q1, Q2 and Q3.
+[[nodiscard]] Figure interior_figure(const InteriorAreas& result, const std::array<NamedCurve, 2>& inputs);
 
 }  // namespace lober::cli

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "cli/levels/levels_report.hpp"
+#include "cli/picture/picture_options.hpp"
 #include "cli/program/command_line.hpp"
 #include "cli/program/output_names.hpp"
 #include "cli/program/progress.hpp"
@@ -23,14 +24,18 @@ constexpr std::size_t max_shaded = 8;  // levels
 struct LevelsRequest {
   SystemRequest system;
   std::vector<operations::OptionSetting> settings;
-  std::string output, svg, json, format;
+  std::string output, json, format;
+  PictureRequest picture;
   int threads = 0;
 };
 
 void run(const LevelsRequest& request) {
   const detail::Stopwatch watch;
-  const std::vector<Output> outputs = checked_outputs(
-      {{"-o", request.output}, {"--svg", request.svg}, {"--json", request.json}}, files_of_system(request.system.name));
+  std::vector<Output> outputs = request.picture.outputs();
+  for (const auto& [option, path] : {std::pair{"-o", request.output}, {"--json", request.json}}) {
+    if (!path.empty()) outputs.push_back({option, path});
+  }
+  check_outputs(outputs, files_of_system(request.system.name));
   const operations::Operation& operation = operations::named("levels");
   const operations::Options options = checked_options(operation, request.settings);
   const operations::SystemInput input = system_input_of(request.system);
@@ -45,7 +50,7 @@ void run(const LevelsRequest& request) {
     const double seconds = watch.seconds();
     report.shaded = options.find("at") != nullptr && report.result().levels.size() <= max_shaded;
     if (!request.output.empty()) write_levels(request.output, request.format, report);
-    if (!request.svg.empty()) write_levels_picture(request.svg, report);
+    if (request.picture.asked()) write_figure(request.picture, levels_figure(report));
     if (!request.json.empty()) {
       write_outcome_json(request.json, "levels", {{"system", system_json(report.system, input.integration)}}, operation,
                          report.outcome, [&] {
@@ -74,7 +79,7 @@ void run_levels(const std::vector<std::string>& arguments) {
                .c_str())
       .value("FILE");
   add_format_option(parser, request.format);
-  parser.add("--svg", request.svg, "Draw the level curves as an SVG picture in FILE (default: no file).").value("FILE");
+  add_picture_options(parser, request.picture, "the level curves");
   add_json_option(parser, request.json);
   add_table_option(parser);
   add_threads_option(parser, request.threads);

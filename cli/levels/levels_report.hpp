@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/picture/figure.hpp"
 #include "cli/program/system_options.hpp"
 
 namespace lober::cli {
@@ -25,8 +26,8 @@ struct LevelsReport {
 [[nodiscard]] std::string levels_table(const LevelsReport& report);
 /// All curves, closed ones without their first point at the end.
 void write_levels(const std::string& path, const std::string& format, const LevelsReport& report);
-/// Level curves, those through saddles in red; the bands between few levels, or the part outside Hill's region,
-/// shaded.
-void write_levels_picture(const std::string& path, const LevelsReport& report);
+/// Level curves, those through saddles in the colour of U; the bands between few levels, or the part outside Hill's
+/// region, shaded. Borrows the curves.
+[[nodiscard]] Figure levels_figure(const LevelsReport& report);
 
 }  // namespace lober::cli

@@ -21,9 +21,9 @@ namespace {
 struct OverlayRequest {
   std::array<std::string, 2> curves;
   Periods periods;
-  std::string lobes, crossings, json, svg, html, rule, format;
+  std::string lobes, crossings, json, html, rule, format;
+  PictureRequest picture;
   std::vector<operations::OptionSetting> settings;
-  std::vector<double> window;  // window of the picture
   int threads = 0;
   bool rings = false;
 };
@@ -50,16 +50,13 @@ std::optional<OverlayRequest> parse_overlay(const std::vector<std::string>& argu
                                     "Write the crossings to FILE as comma-separated columns, or, if it ends in .npy, "
                                     "as a NumPy array with the same columns (default: no file).")
                                .value("FILE");
-  const Option svg =
-      parser.add("--svg", request.svg, "Draw the curves and the lobes as an SVG picture in FILE (default: no file).")
-          .value("FILE");
-  add_window_option(parser, request.window, svg);
+  const Option picture = add_picture_options(parser, request.picture, "the curves and the lobes", "the lobes");
   add_html_option(parser, request.html);
   add_format_option(parser, request.format);
   TableOptions options(parser, operations::named("overlay"));
-  options["areas_only"].excludes(lobes).excludes(svg).excludes(rings);
+  options["areas_only"].excludes(lobes).excludes(picture).excludes(rings);
   Option rule = add_rule_option(parser, request.rule);
-  rule.excludes(crossings).excludes(svg).excludes(rings);
+  rule.excludes(crossings).excludes(rings);
   for (const char* const key : {"check_simple", "verify", "smooth", "classes", "discretisation"}) {
     rule.excludes(options[key]);
   }
@@ -67,18 +64,16 @@ std::optional<OverlayRequest> parse_overlay(const std::vector<std::string>& argu
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return std::nullopt;
   if (request.rings && request.json.empty()) throw UsageError("--rings needs --json (see lober overlay --help)");
-  (void)window_of(request.window);
   request.settings = options.settings();
   if (!request.rule.empty()) request.settings.push_back({"rule", request.rule});
   return request;
 }
 
 std::vector<Output> outputs_of(const OverlayRequest& request) {
-  std::vector<Output> outputs;
+  std::vector<Output> outputs = request.picture.outputs();
   for (const auto& [option, path] : {std::pair{"--json", request.json},
                                      {"--lobes", request.lobes},
                                      {"--crossings", request.crossings},
-                                     {"--svg", request.svg},
                                      {"--html", request.html}}) {
     if (!path.empty()) outputs.push_back({option, path, request.format});
   }
@@ -131,6 +126,9 @@ void run(const OverlayRequest& request) {
                                  .notes = notes_of("overlay", report.outcome, notes_on(report.inputs))};
     if (by_rule) {
       if (!request.lobes.empty()) write_lobes(request.lobes, report.outcome.as<CurveRegions>(), lobes);
+      if (request.picture.asked()) {
+        write_figure(request.picture, regions_figure(report.outcome.as<CurveRegions>(), report.inputs));
+      }
       if (!request.html.empty()) write_page(request.html, report);
       report.write_seconds = write_watch.seconds();
       if (!request.json.empty()) write_regions_json(request.json, "overlay", report, total);
@@ -138,7 +136,7 @@ void run(const OverlayRequest& request) {
       const auto& found = report.outcome.as<CurveOverlay>();
       if (!request.lobes.empty()) write_lobes(request.lobes, found, lobes);
       if (!request.crossings.empty()) write_crossings(request.crossings, found);
-      if (!request.svg.empty()) write_picture(request.svg, found, window_of(request.window));
+      if (request.picture.asked()) write_figure(request.picture, overlay_figure(found, report.inputs, request.picture));
       if (!request.html.empty()) write_page(request.html, report);
       report.write_seconds = write_watch.seconds();
       if (!request.json.empty()) write_json(request.json, request.rings, report, total);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/picture/picture_options.hpp"
 #include "cli/program/curves_run.hpp"
 #include "cli/report/curve_file.hpp"
 #include "cli/report/report.hpp"
@@ -48,9 +49,16 @@ void write_lobes(const std::string& path, const CurveRegions& found, const Curve
 void write_crossings(const std::string& path, const CurveOverlay& found);
 void write_crossings_npy(const std::string& path, const CurveOverlay& found);
 
-/// An SVG picture of the two curves and of the pieces of C1 \ C2 and C2 \ C1. `window`: the part of the plane that is
-/// drawn; none: both curves. With classes the crossings have their numbers, tangents and colours of rho, and the
-/// pieces of C1 \ C2 colours and arrows of the classes of sigma.
-void write_picture(const std::string& path, const CurveOverlay& found, const std::optional<Rectangle>& window);
+/// Title, axes and window of a picture of two curves; and their crossings as dots, where they are few.
+[[nodiscard]] Figure overlay_frame(const Crossings& nodes, const std::array<NamedCurve, 2>& inputs);
+[[nodiscard]] Layer crossings_layer(const Crossings& nodes);
+/// The two curves and the pieces of C1 \ C2, A0, A1, ..., and C2 \ C1, B0, B1, ... With classes the crossings have
+/// their numbers, tangents and signs of rho, and the pieces of C1 \ C2 colours and arrows of the classes of sigma.
+/// Figures borrow points of what they show.
+[[nodiscard]] Figure overlay_figure(const CurveOverlay& found, const std::array<NamedCurve, 2>& inputs,
+                                    const PictureRequest& how);
+[[nodiscard]] Figure classes_figure(const CurveOverlay& found, const std::array<NamedCurve, 2>& inputs);
+/// The pieces by a fill rule.
+[[nodiscard]] Figure regions_figure(const CurveRegions& found, const std::array<NamedCurve, 2>& inputs);
 
 }  // namespace lober::cli

@@ -144,24 +144,6 @@ void add_json_option(OptionParser& parser, std::string& path, const std::string&
   parser.add("--json", path, help.c_str()).value("FILE");
 }
 
-Option add_window_option(OptionParser& parser, std::vector<double>& window, Option svg) {
-  return parser
-      .add("--window", window,
-           "Two corners of the part of the plane that the picture shows, X0 < X1 and Y0 < Y1 (default: all).")
-      .comma_separated()
-      .count(4)
-      .value("X0,Y0,X1,Y1")
-      .needs(svg);
-}
-
-std::optional<Rectangle> window_of(const std::vector<double>& window) {
-  if (window.empty()) return std::nullopt;
-  if (!(window[0] < window[2] && window[1] < window[3])) {
-    throw UsageError("--window: the corners have to have X0 < X1 and Y0 < Y1");
-  }
-  return Rectangle::of({window[0], window[1]}, {window[2], window[3]});
-}
-
 void add_threads_option(OptionParser& parser, int& threads) {
   parser
       .add("--threads", threads,

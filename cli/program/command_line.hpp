@@ -52,10 +52,6 @@ void add_points_option(OptionParser& parser, std::string& path, std::string& for
 void add_format_option(OptionParser& parser, std::string& format);
 /// --json FILE. `what` is written to it.
 void add_json_option(OptionParser& parser, std::string& path, const std::string& what = "the results");
-/// --window X0,Y0,X1,Y1 of a picture, which `svg` asks for; and that window, none where it was not given (UsageError
-/// for corners in the wrong order).
-Option add_window_option(OptionParser& parser, std::vector<double>& window, Option svg);
-[[nodiscard]] std::optional<Rectangle> window_of(const std::vector<double>& window);
 /// --threads N, for run_with_threads (lober/threads.hpp).
 void add_threads_option(OptionParser& parser, int& threads);
 /// --memory SIZE: "4G", "500M", "64k" or bytes.

@@ -1,9 +1,9 @@
 #include "cli/program/curves_run.hpp"
 
+#include "cli/picture/figure.hpp"
 #include "cli/program/log.hpp"
 #include "cli/program/table_options.hpp"
 #include "cli/report/outcome_json.hpp"
-#include "cli/report/svg.hpp"
 #include "engine/base/stopwatch.hpp"
 
 namespace lober::cli {

@@ -23,7 +23,8 @@ constexpr std::array<std::pair<std::string_view, PointFormat>, 6> point_endings{
                                                                                  {".f64", PointFormat::raw}}};
 
 constexpr std::array<std::string_view, 2> json_options{"--json", "--graph"};
-constexpr std::array<std::string_view, 2> picture_options{"--svg", "--picture"};
+constexpr std::array<std::string_view, 3> picture_options{"--svg", "--picture", "--fluxes"};
+constexpr std::array<std::string_view, 1> data_options{"--data"};
 constexpr std::array<std::string_view, 1> page_options{"--html"};
 constexpr std::array<std::string_view, 4> zone_options{"--lobes", "--boundary", "--pips", "--curves"};
 constexpr std::array<std::string_view, 2> several_options{"--lobes", "--curves"};  // among these
@@ -35,7 +36,8 @@ constexpr std::array<std::string_view, 6> published_options{"<rslt>",     "<lobe
 constexpr std::string_view curves_kind = "curves";
 
 constexpr std::array<std::string_view, 1> json_endings{".json"};
-constexpr std::array<std::string_view, 1> picture_endings{".svg"};
+constexpr std::array<std::string_view, 3> picture_endings{".svg", ".pdf", ".png"};
+constexpr std::array<std::string_view, 2> data_endings{".csv", ".json"};
 constexpr std::array<std::string_view, 2> page_endings{".html", ".htm"};
 constexpr std::array<std::string_view, 1> table_endings{".csv"};
 constexpr std::array<std::string_view, 2> crossings_endings{".csv", ".npy"};
@@ -46,8 +48,9 @@ struct OutputKind {
   std::string_view what;
   Names endings;
 };
-constexpr std::array<OutputKind, 7> output_kinds{{{json_options, "JSON", json_endings},
-                                                  {picture_options, "an SVG picture", picture_endings},
+constexpr std::array<OutputKind, 8> output_kinds{{{json_options, "JSON", json_endings},
+                                                  {picture_options, "a picture", picture_endings},
+                                                  {data_options, "the data of a picture", data_endings},
                                                   {page_options, "a page", page_endings},
                                                   {zone_options, curves_kind, {}},
                                                   {crossings_options, "a table of crossings", crossings_endings},
@@ -106,6 +109,11 @@ std::vector<std::string> written_formats() {
 
 std::string written_endings() {
   return detail::written_endings();
+}
+
+PictureFormat picture_format(const std::string& path) {
+  const std::string ending = ending_of(path);
+  return ending == ".pdf" ? PictureFormat::pdf : ending == ".png" ? PictureFormat::png : PictureFormat::svg;
 }
 
 bool takes_several(const std::string& path, const std::string& named) {

@@ -26,6 +26,12 @@ enum class PointFormat : std::uint8_t { npy, csv, text, tecplot, raw };
 /// UsageError for any other.
 [[nodiscard]] PointFormat format_of(const std::string& path);
 
+/// Formats of pictures.
+enum class PictureFormat : std::uint8_t { svg, pdf, png };
+
+/// The format that the ending of the path names: .pdf, .png; SVG for any other, as for "-".
+[[nodiscard]] PictureFormat picture_format(const std::string& path);
+
 /// Throws UsageError, with the endings that are accepted, where the path ends as another format does than the one that
 /// `option` writes: --json x.svg, --lobes x.geojson. A name without an ending is accepted, and so is one that ends in
 /// a number or an assignment (out.0.6, out.K=2). Options that are not in the table, such as -o, are left to those who

@@ -6,6 +6,7 @@
 
 #include <optional>
 
+#include "cli/picture/picture_options.hpp"
 #include "cli/program/command_line.hpp"
 #include "cli/program/log.hpp"
 #include "cli/program/point_arguments.hpp"
@@ -13,9 +14,9 @@
 #include "cli/program/system_options.hpp"
 #include "cli/program/table_options.hpp"
 #include "cli/report/outcome_json.hpp"
-#include "cli/report/svg.hpp"
 #include "cli/section/section_output.hpp"
 #include "engine/base/stopwatch.hpp"
+#include "engine/operations/picture_size.hpp"
 #include "lober/base/threads.hpp"
 
 namespace lober::cli {
@@ -23,13 +24,14 @@ namespace {
 
 using operations::SystemSection;
 
-constexpr double cell_pixels = 3;  // cell of the picture
+constexpr double cell_pixels = 3;  // cell of the picture, which is 960 of them wide
 
 struct SectionRequest {
   SystemRequest system;
   std::vector<std::string> start;
   std::vector<operations::OptionSetting> settings;
-  std::string output, svg, json;
+  std::string output, json;
+  PictureRequest picture;
   int threads = 0;
 };
 
@@ -54,9 +56,9 @@ class Orbits {
 
  private:
   void begin(const SystemSection& all) {
-    const View view(all.box);
-    density_.emplace(all.box, static_cast<std::size_t>(view.width() / cell_pixels),
-                     static_cast<std::size_t>(view.height() / cell_pixels));
+    const detail::PictureSize size = detail::picture_size(all.box);
+    density_.emplace(all.box, static_cast<std::size_t>(size.width / cell_pixels),
+                     static_cast<std::size_t>(size.height / cell_pixels));
     if (!path_.empty()) file_.emplace(path_, all.orbits, all.options.iterates);
     progress_.of(static_cast<double>(all.orbits) * static_cast<double>(all.options.iterates + 1), "points");
   }
@@ -103,8 +105,11 @@ void run(const SectionRequest& request) {
   const detail::Stopwatch watch;
   std::vector<std::string> files = files_of_system(request.system.name);
   for (std::string& file : point_files("--start", request.start)) files.push_back(std::move(file));
-  const std::vector<Output> outputs =
-      checked_outputs({{"-o", request.output}, {"--svg", request.svg}, {"--json", request.json}}, files);
+  std::vector<Output> outputs = request.picture.outputs();
+  for (const auto& [option, path] : {std::pair{"-o", request.output}, {"--json", request.json}}) {
+    if (!path.empty()) outputs.push_back({option, path});
+  }
+  check_outputs(outputs, files);
   const operations::Operation& operation = operations::named("section");
   const operations::Options options = checked_options(operation, request.settings);
   const operations::SystemInput input = system_input_of(request.system);
@@ -125,10 +130,10 @@ void run(const SectionRequest& request) {
     const double seconds = orbits_watch.seconds();
     const auto& found = outcome.as<SystemSection>();
     orbits.finish(found);
-    if (found.exit_times) {
-      write_exit_times_picture(request.svg, *found.exit_times, found.options.iterates, system_text(system));
-    } else if (!request.svg.empty()) {
-      write_section_picture(request.svg, orbits.density(), system_text(system));
+    if (request.picture.asked()) {
+      write_figure(request.picture, found.exit_times
+                                        ? exit_times_figure(*found.exit_times, found.options.iterates, system)
+                                        : section_figure(orbits.density(), system));
     }
     if (!request.json.empty()) {
       write_outcome_json(request.json, "section", {{"system", system_json(system, input.integration)}}, operation,
@@ -172,10 +177,7 @@ void run_section(const std::vector<std::string>& arguments) {
            "file).")
       .value("FILE");
   options["exit_times"].needs(
-      parser
-          .add("--svg", request.svg,
-               "Draw the density of the points, or the exit times, as an SVG picture in FILE (default: no file).")
-          .value("FILE"));
+      add_picture_options(parser, request.picture, "the density of the points, or the exit times,"));
   add_json_option(parser, request.json);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return;

@@ -5,9 +5,9 @@
 #include <bit>
 #include <cmath>
 
+#include "cli/picture/cells.hpp"
+#include "cli/picture/system_figure.hpp"
 #include "cli/program/output_names.hpp"
-#include "cli/report/cells.hpp"
-#include "cli/report/svg.hpp"
 #include "cli/report/text.hpp"
 #include "engine/files/npy_header.hpp"
 #include "lober/base/error.hpp"
@@ -26,22 +26,11 @@ std::size_t level_of(std::uint32_t count, std::uint32_t largest) {
   return levels <= colours ? level + colours - levels : level * colours / levels;
 }
 
-// The cells of a grid on a window for which `has(column, row)`.
 template <typename Has>
-std::string section_cells_path(const View& view, const Rectangle& window, std::size_t columns, std::size_t rows,
-                               const Has& has) {
-  return cells_path(view, columns, rows, has, [&](std::size_t column, std::size_t row) {
+std::vector<Rectangle> section_boxes(const Rectangle& window, std::size_t columns, std::size_t rows, const Has& has) {
+  return cell_boxes(columns, rows, has, [&](std::size_t column, std::size_t row) {
     return cell_corner(window, columns, rows, column, row);
   });
-}
-
-std::string level_path(const View& view, const Density& density, std::size_t level) {
-  const std::uint32_t largest = density.largest();
-  return section_cells_path(view, density.window(), density.columns(), density.rows(),
-                            [&](std::size_t column, std::size_t row) {
-                              const std::uint32_t count = density.count(column, row);
-                              return count > 0 && level_of(count, largest) == level;
-                            });
 }
 
 // Colours of orbits that leave after crossing 1, 2, ..., the last one for all later ones; and of those that stay.
@@ -49,9 +38,12 @@ constexpr std::array<const char*, 8> exit_colours{"#440154", "#46327e", "#365c8d
                                                   "#1fa187", "#4ac16d", "#a0da39", "#fde725"};
 constexpr const char* staying_colour = "#dddddd";
 
-std::string window_text(const Rectangle& window) {
-  return "[" + rounded(window.min_x) + ", " + rounded(window.max_x) + "] x [" + rounded(window.min_y) + ", " +
-         rounded(window.max_y) + "]";
+Figure section_frame(const Rectangle& window, const System& system, const char* what) {
+  Figure figure{.what = what, .title = system_title(system.info)};
+  name_axes(figure, system);
+  figure.plane = !system.section.has_value();
+  figure.window = window;
+  return figure;
 }
 
 }  // namespace
@@ -103,21 +95,11 @@ void OrbitFile::add(std::size_t first, std::span<const Point> points) {
   file_.write(text);
 }
 
-void write_section_picture(const std::string& path, const Density& density, const std::string& title) {
-  const View view(density.window());
-  std::string svg;
-  begin_picture(svg, view, title, 4);
-  for (std::size_t level = 0; level < density_colours.size() && density.inside() > 0; ++level) {
-    append_all(svg, "<path fill=\"", density_colours[level], "\" d=\"", level_path(view, density, level), "\"/>\n");
-  }
-  begin_legend(svg);
-  add_legend_entry(svg, view, 0, 0, "", title);
-  // Beside a short title there is room.
-  if (title.size() < 50) add_legend_entry(svg, view, 1, 0, "", window_text(density.window()));
-  // The least and the largest count of each level.
+Figure section_figure(const Density& density, const System& system) {
+  Figure figure = section_frame(density.window(), system, "Orbits on a section");
   const std::uint32_t largest = density.inside() > 0 ? density.largest() : 0;
-  int entries = 0;
-  for (std::size_t level = 0; level < density_colours.size(); ++level) {
+  for (std::size_t level = 0; level < density_colours.size() && largest > 0; ++level) {
+    // The least and the largest count of the level.
     std::uint64_t low = 0, high = 0;
     for (std::uint64_t power = 1; power <= largest; power *= 2) {
       if (level_of(static_cast<std::uint32_t>(power), largest) != level) continue;
@@ -125,50 +107,40 @@ void write_section_picture(const std::string& path, const Density& density, cons
       high = std::min<std::uint64_t>(2 * power - 1, largest);
     }
     if (low == 0) continue;
-    add_legend_entry(svg, view, entries % 2, 1 + entries / 2, opaque_swatch(density_colours[level]),
-                     (low == high ? std::to_string(low) : std::to_string(low) + " to " + std::to_string(high)) +
-                         (high == 1 ? " point a cell" : " points a cell"));
-    ++entries;
+    const std::string text = (low == high ? std::to_string(low) : std::to_string(low) + " to " + std::to_string(high)) +
+                             (high == 1 ? " point a cell" : " points a cell");
+    Layer layer = box_layer(text, text, density_colours[level]);
+    layer.boxes =
+        section_boxes(density.window(), density.columns(), density.rows(), [&](std::size_t column, std::size_t row) {
+          const std::uint32_t count = density.count(column, row);
+          return count > 0 && level_of(count, largest) == level;
+        });
+    figure.layers.push_back(std::move(layer));
   }
-  end_picture(svg);
-  write_file(path, svg);
+  return figure;
 }
 
-void write_exit_times_picture(const std::string& path, const operations::ExitTimes& times, std::size_t iterates,
-                              const std::string& title) {
-  const View view(times.window);
+Figure exit_times_figure(const operations::ExitTimes& times, std::size_t iterates, const System& system) {
+  Figure figure = section_frame(times.window, system, "When orbits leave");
   const std::vector<std::uint64_t> counts = times.counts();
   const std::size_t shown = std::min(counts.size(), exit_colours.size() + 1);
-  std::string svg;
-  begin_picture(svg, view, title, static_cast<int>(1 + (shown + 1) / 2));
-  const auto draw = [&](const char* colour, const auto& has) {
-    append_all(svg, "<path fill=\"", colour, "\" d=\"",
-               section_cells_path(view, times.window, times.columns, times.rows,
-                                  [&](std::size_t column, std::size_t row) { return has(times.of(column, row)); }),
-               "\"/>\n");
+  const auto add = [&](const char* colour, const std::string& text, const auto& has) {
+    Layer layer = box_layer(text, text, colour);
+    layer.boxes = section_boxes(times.window, times.columns, times.rows,
+                                [&](std::size_t column, std::size_t row) { return has(times.of(column, row)); });
+    figure.layers.push_back(std::move(layer));
   };
-  draw(staying_colour, [](std::uint32_t time) { return time == operations::ExitTimes::stays; });
   const auto is_last = [&](std::size_t n) { return n == exit_colours.size(); };
   for (std::size_t n = 1; n < shown; ++n) {
-    draw(exit_colours[n - 1], [&](std::uint32_t time) {
-      return time != operations::ExitTimes::stays && (is_last(n) ? time >= n : time == n);
-    });
+    add(exit_colours[n - 1],
+        "leaves after crossing " + std::to_string(n) + (is_last(n) && counts.size() > shown ? " or later" : ""),
+        [&](std::uint32_t time) {
+          return time != operations::ExitTimes::stays && (is_last(n) ? time >= n : time == n);
+        });
   }
-  begin_legend(svg);
-  add_legend_entry(svg, view, 0, 0, "", title);
-  add_legend_entry(svg, view, 1, 0, "", window_text(times.window));
-  int entries = 0;
-  const auto entry = [&](const char* colour, const std::string& text) {
-    add_legend_entry(svg, view, entries % 2, 1 + entries / 2, opaque_swatch(colour), text);
-    ++entries;
-  };
-  for (std::size_t n = 1; n < shown; ++n) {
-    entry(exit_colours[n - 1],
-          "leaves after crossing " + std::to_string(n) + (is_last(n) && counts.size() > shown ? " or later" : ""));
-  }
-  entry(staying_colour, "does not leave in " + std::to_string(iterates) + " crossings");
-  end_picture(svg);
-  write_file(path, svg);
+  add(staying_colour, "does not leave in " + std::to_string(iterates) + " crossings",
+      [](std::uint32_t time) { return time == operations::ExitTimes::stays; });
+  return figure;
 }
 
 }  // namespace lober::cli

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/picture/figure.hpp"
 #include "engine/base/output_file.hpp"
 #include "lober/operations.hpp"
 
@@ -51,10 +52,9 @@ class OrbitFile {
   bool npy_;
 };
 
-/// The density as an SVG picture, the darker the more points.
-void write_section_picture(const std::string& path, const Density& density, const std::string& title);
+/// The density, the darker the more points.
+[[nodiscard]] Figure section_figure(const Density& density, const System& system);
 /// The cells in colours by when their orbits leave; `iterates`: how far orbits were followed.
-void write_exit_times_picture(const std::string& path, const operations::ExitTimes& times, std::size_t iterates,
-                              const std::string& title);
+[[nodiscard]] Figure exit_times_figure(const operations::ExitTimes& times, std::size_t iterates, const System& system);
 
 }  // namespace lober::cli

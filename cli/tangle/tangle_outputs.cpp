@@ -19,30 +19,20 @@ void TangleOutputs::add_options(OptionParser& parser) {
            "no file).")
       .value("FILE");
   add_json_option(parser, json);
-  const Option picture =
-      parser
-          .add("--svg", svg,
-               "Draw the manifolds, pips, lobes and boundary as an SVG picture in FILE (default: no file).")
-          .value("FILE");
-  parser
-      .add_flag("--labels", labels,
-                "Name the fixed points, regions, pips and lobes in the picture, as far as there is room.")
-      .needs(picture);
-  add_window_option(parser, window, picture);
+  add_picture_options(parser, picture, "the manifolds, pips, lobes and boundary",
+                      "fixed points, regions, pips and lobes");
   add_html_option(parser, html);
   add_format_option(parser, format);
   add_table_option(parser);
 }
 
 std::vector<Output> TangleOutputs::files() const {
-  (void)window_of(window);  // a wrong one is reported before any work
-  std::vector<Output> outputs;
+  std::vector<Output> outputs = picture.outputs();
   for (const auto& [option, path] : {std::pair{"--json", json},
                                      {"--graph", graph},
                                      {"--lobes", lobes},
                                      {"--boundary", boundary},
                                      {"--pips", pips},
-                                     {"--svg", svg},
                                      {"--html", html}}) {
     if (!path.empty()) outputs.push_back({option, path, format});
   }
@@ -55,9 +45,7 @@ void write_tangle(const TangleOutputs& outputs, TangleReport& report, const std:
   if (!outputs.boundary.empty()) write_tangle_boundary(outputs.boundary, report, outputs.format);
   if (!outputs.pips.empty()) write_tangle_pips(outputs.pips, report, outputs.format);
   if (!outputs.graph.empty()) write_tangle_graph(outputs.graph, report);
-  if (!outputs.svg.empty()) {
-    write_tangle_picture(outputs.svg, report, {outputs.labels, window_of(outputs.window)});
-  }
+  if (outputs.picture.asked()) write_figure(outputs.picture, tangle_figure(report, outputs.picture));
   if (!outputs.html.empty()) write_page(outputs.html, report);
   report.write_seconds = watch.seconds();
   if (!outputs.json.empty()) write_tangle_json(outputs.json, report, seconds_so_far);

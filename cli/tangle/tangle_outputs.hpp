@@ -11,11 +11,10 @@
 namespace lober::cli {
 
 struct TangleOutputs {
-  std::string lobes, boundary, pips, graph, json, svg, html, format;
-  bool labels = false;         ///< in the picture
-  std::vector<double> window;  ///< window of the picture
+  std::string lobes, boundary, pips, graph, json, html, format;
+  PictureRequest picture;
 
-  /// Adds --lobes, --boundary, --pips, --json, --svg, --labels, --window, --html, --format.
+  /// Adds --lobes, --boundary, --pips, --json, --html, --format and the options of pictures.
   void add_options(OptionParser& parser);
   /// The files that were asked for.
   [[nodiscard]] std::vector<Output> files() const;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/picture/picture_options.hpp"
 #include "cli/program/system_options.hpp"
 #include "cli/report/report.hpp"
 #include "lober/operations.hpp"
@@ -56,11 +57,7 @@ void write_tangle_boundary(const std::string& path, const TangleReport& report, 
 /// The pips as points of one curve, outward along U, if there are any.
 void write_tangle_pips(const std::string& path, const TangleReport& report, const std::string& format);
 
-/// An SVG picture of the manifolds, the pips, the lobes in two colours and the boundary.
-struct TanglePicture {
-  bool labels = false;              ///< names of fixed points, regions, pips and lobes
-  std::optional<Rectangle> window;  ///< the part of the plane that is drawn; default: lobes and boundary
-};
-void write_tangle_picture(const std::string& path, const TangleReport& report, const TanglePicture& options);
+/// The manifolds, the pips, the lobes in two colours and the boundary. Borrows the manifolds.
+[[nodiscard]] Figure tangle_figure(const TangleReport& report, const PictureRequest& how);
 
 }  // namespace lober::cli

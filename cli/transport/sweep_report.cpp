@@ -8,11 +8,11 @@
 #include <limits>
 #include <set>
 
+#include "cli/picture/system_figure.hpp"
 #include "cli/program/option_names.hpp"
 #include "cli/program/system_options.hpp"
-#include "cli/report/plot.hpp"
-#include "cli/report/svg.hpp"
 #include "cli/report/table.hpp"
+#include "cli/transport/transport_report.hpp"
 
 namespace lober::cli {
 namespace {
@@ -145,30 +145,54 @@ std::string sweep_summary(const SweepReport& report) {
   return text;
 }
 
-void write_sweep_curve(const std::string& path, const SweepReport& report) {
+Figure sweep_figure(const SweepReport& report) {
   constexpr double gap = std::numeric_limits<double>::quiet_NaN();
-  PlotSeries difference{"W(q) - W(q'), by action", "#1f5fa8", {}, true, false};
-  PlotSeries lobes{"area of the lobes that enter, by action", "#3f8f6b", {}, true, false};
-  PlotSeries flux{"flux a21(1)", "#c8701e", {}, false, true};
-  for (const SweepRow& row : report.result().rows) {
+  Figure figure{.what = "Areas of the turnstile over " + report.result().parameter, .title = fixed_text(report)};
+  figure.plane = false;
+  figure.zero_line = true;
+  figure.x = {report.result().parameter};
+  figure.y = {"area"};
+  std::vector<Point> difference, lobes, estimate;
+  Layer flux = dot_layer("a21(1)", "flux a21(1)", {}, 1.5);
+  flux.colour = palette::leaving;
+  Rectangle box;
+  for (std::size_t k = 0; k < report.result().rows.size(); ++k) {
+    const SweepRow& row = report.result().rows[k];
     const bool there = row.failure.empty();
-    difference.points.push_back({row.value, there ? row.difference : gap});
-    lobes.points.push_back({row.value, there ? row.lobe_area21_by_action : gap});
-    flux.points.push_back({row.value, there ? row.flux21.value : gap});
-  }
-  Plot plot{"Areas of the turnstile of " + fixed_text(report),
-            report.result().parameter + "; " + fixed_text(report),
-            {std::move(flux), std::move(lobes), std::move(difference)},
-            {}};
-  if (report.result().first_order) {
-    PlotSeries estimate{"area of the lobes to first order in eps (Melnikov)", "#8a3d7c", {}, true, false};
-    for (std::size_t k = 0; k < report.result().rows.size(); ++k) {
-      estimate.points.push_back({report.result().rows[k].value, (*report.result().first_order)[k]});
+    difference.push_back({row.value, there ? row.difference : gap});
+    lobes.push_back({row.value, there ? row.lobe_area21_by_action : gap});
+    if (there && std::isfinite(row.flux21.value)) {
+      flux.points.push_back({row.value, row.flux21.value});
+      flux.errors.push_back(row.flux21.error);
     }
-    plot.series.push_back(std::move(estimate));
+    if (report.result().first_order) estimate.push_back({row.value, (*report.result().first_order)[k]});
+    box = include(box, std::array{Point{row.value, 0}});
   }
-  for (const SweepZero& zero : report.result().zeros) plot.marks.push_back(zero.value);
-  write_plot(path, plot);
+  const auto add_line = [&](const char* name, const char* legend, const char* colour, std::vector<Point>& points,
+                            bool dashed) {
+    Layer layer = line_layer(name, legend, colour, 0.8);
+    layer.dashed = dashed;
+    layer.lines.push_back(polyline(std::move(points), false));
+    figure.layers.push_back(std::move(layer));
+  };
+  add_line("lobes", "area of the lobes that enter, by action", palette::entering, lobes, false);
+  add_line("difference", "W(q) \u2212 W(q'), by action", palette::action, difference, false);
+  if (report.result().first_order) {
+    add_line("first order", "area of the lobes to first order in eps (Melnikov)", palette::estimate, estimate, true);
+  }
+  figure.layers.push_back(std::move(flux));
+  for (const Layer& layer : figure.layers) {
+    const auto add = [&](std::span<const Point> points) {
+      for (const Point& point : points) {
+        if (std::isfinite(point.y)) box.add(point);
+      }
+    };
+    add(layer.points);
+    for (const Polyline& line : layer.lines) add(line.points());
+  }
+  for (const SweepZero& zero : report.result().zeros) figure.x_marks.push_back(zero.value);
+  if (!box.empty()) figure.window = widened_plot(box);
+  return figure;
 }
 
 }  // namespace lober::cli

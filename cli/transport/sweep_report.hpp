@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "cli/picture/figure.hpp"
 #include "lober/operations.hpp"
 
 namespace lober::cli {
@@ -22,6 +23,7 @@ struct SweepReport {
 /// The lines behind the rows.
 [[nodiscard]] std::string sweep_summary(const SweepReport& report);
 
-void write_sweep_curve(const std::string& path, const SweepReport& report);
+/// The areas over the parameter; vertical lines where the difference changes its sign.
+[[nodiscard]] Figure sweep_figure(const SweepReport& report);
 
 }  // namespace lober::cli

@@ -14,7 +14,6 @@
 #include "cli/program/terminal.hpp"
 #include "cli/report/agreement_report.hpp"
 #include "cli/report/outcome_json.hpp"
-#include "cli/report/svg.hpp"
 #include "cli/report/table.hpp"
 #include "cli/transport/curves_transport_command.hpp"
 #include "cli/transport/sweep_report.hpp"
@@ -30,16 +29,27 @@ namespace {
 struct TransportRequest {
   SystemRequest system;
   std::vector<operations::OptionSetting> settings;
-  std::string sweep, json, svg, picture, html;
-  std::vector<double> window;  // window of the picture
+  std::string sweep, json, html, fluxes;
+  PictureRequest picture;
   bool find_zero = false;
   int threads = 0;
 };
 
 std::vector<Output> outputs_of(const TransportRequest& request) {
-  return checked_outputs(
-      {{"--json", request.json}, {"--svg", request.svg}, {"--picture", request.picture}, {"--html", request.html}},
-      files_of_system(request.system.name));
+  std::vector<Output> outputs = request.picture.outputs();
+  if (!request.json.empty()) outputs.push_back({"--json", request.json});
+  if (!request.fluxes.empty()) outputs.push_back({"--fluxes", request.fluxes});
+  if (!request.html.empty()) outputs.push_back({"--html", request.html});
+  check_outputs(outputs, files_of_system(request.system.name));
+  return outputs;
+}
+
+// The window is that of the picture of the turnstile.
+FigureStyle style_of_fluxes(const TransportRequest& request) {
+  FigureStyle style = request.picture.style();
+  style.window.reset();
+  style.inset.reset();
+  return style;
 }
 
 // Rows as they come, which an interrupt keeps. On a terminal each is printed at once, before what is said about the
@@ -111,8 +121,8 @@ void run_one(const TransportRequest& request) {
     for (const std::string& remark : report.outcome.remarks) log_info(remark);
     progress.phase("writing", 0.9, 1);
     const detail::Stopwatch write_watch;
-    if (!request.svg.empty()) write_transport_curve(request.svg, report);
-    if (!request.picture.empty()) write_transport_picture(request.picture, report, window_of(request.window));
+    if (!request.fluxes.empty()) write_figure(request.fluxes, fluxes_figure(report), style_of_fluxes(request));
+    if (request.picture.asked()) write_figure(request.picture, turnstile_figure(report, request.picture));
     if (!request.html.empty()) write_page(request.html, report);
     report.timing.write = write_watch.seconds();
     if (!request.json.empty()) {
@@ -170,7 +180,9 @@ void run_sweep(const TransportRequest& request) {
     }
     report.outcome = operation.run(std::array<operations::Input, 1>{input}, options, context);
     for (const std::string& remark : report.outcome.remarks) log_warning(remark);
-    if (!request.svg.empty()) write_sweep_curve(request.svg, report);
+    const Figure areas = sweep_figure(report);
+    if (request.picture.asked()) write_figure(request.picture, areas);
+    if (!request.fluxes.empty()) write_figure(request.fluxes, areas, request.picture.style());
     if (!request.json.empty()) {
       Json system = system_json(*input.system, input.integration);
       system["parameters"].erase(report.result().parameter);
@@ -210,19 +222,12 @@ void run_transport(const std::vector<std::string>& arguments) {
                 "changes its sign.")
       .needs(sweep_option);
   add_json_option(parser, request.json);
-  parser
-      .add("--svg", request.svg,
-           "Draw a(n) and T(n), or with --sweep the areas over the parameter, as an SVG picture in FILE (default: no "
-           "file).")
-      .value("FILE");
-  const Option picture =
-      parser
-          .add("--picture", request.picture,
-               "Draw the manifolds, the boundary, the turnstile and its images as an SVG picture in FILE (default: no "
-               "file).")
-          .value("FILE")
-          .excludes(sweep_option);
-  add_window_option(parser, request.window, picture);
+  add_picture_options(parser, request.picture,
+                      "the manifolds, the boundary, the turnstile and its images, or with --sweep the areas over the "
+                      "parameter,",
+                      "fixed points and lobes", "--picture");
+  add_further_picture(parser, "--fluxes,--svg", request.fluxes,
+                      "a(n) and T(n) over n, or with --sweep the areas over the parameter,");
   add_html_option(parser, request.html).excludes(sweep_option);
   add_table_option(parser);
   add_threads_option(parser, request.threads);

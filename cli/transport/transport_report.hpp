@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/picture/picture_options.hpp"
 #include "cli/program/system_options.hpp"
 #include "cli/report/report.hpp"
 #include "lober/curve/curve.hpp"
@@ -58,11 +59,11 @@ struct CurvesTransportReport {
 /// Areas by Melnikov's function, beside the exact ones.
 [[nodiscard]] std::string melnikov_text(const operations::MelnikovComparison& report);
 
-/// a(n) and T(n) over n as SVG.
-void write_transport_curve(const std::string& path, const TransportReport& report);
-/// Manifolds, boundary, turnstile, its images and pre-images and their common parts, as SVG.
-/// `window`: the part of the plane that is drawn; without one all.
-void write_transport_picture(const std::string& path, const TransportReport& report,
-                             const std::optional<Rectangle>& window);
+/// a(n) and T(n) over n, with error bars, by all routes.
+[[nodiscard]] Figure fluxes_figure(const TransportReport& report);
+/// Manifolds, boundary, turnstile, its images and pre-images and their common parts. Borrows the manifolds.
+[[nodiscard]] Figure turnstile_figure(const TransportReport& report, const PictureRequest& how);
+/// The window of a plot of values over a variable: with a margin, but not below 0 where all are positive.
+[[nodiscard]] Rectangle widened_plot(const Rectangle& box);
 
 }  // namespace lober::cli

@@ -4,13 +4,13 @@
 
 #include <array>
 
+#include "cli/picture/picture_options.hpp"
 #include "cli/program/command_line.hpp"
 #include "cli/program/output_names.hpp"
 #include "cli/program/point_arguments.hpp"
 #include "cli/program/progress.hpp"
 #include "cli/report/agreement_report.hpp"
 #include "cli/report/report.hpp"
-#include "cli/report/svg.hpp"
 #include "cli/report/table.hpp"
 #include "cli/winding/winding_report.hpp"
 #include "engine/base/stopwatch.hpp"
@@ -28,7 +28,8 @@ struct WindingRequest {
   std::vector<std::string> at;
   std::vector<int> grid;
   std::vector<double> box;
-  std::string output, json, svg;
+  std::string output, json;
+  PictureRequest picture;
   int threads = 0;
 };
 
@@ -68,11 +69,7 @@ void add_options(OptionParser& parser, WindingRequest& request) {
            "is its format; with --grid the array in an NPY file is rows x columns x 5; - is text on standard output "
            "(default: no file).")
       .value("FILE");
-  parser
-      .add("--svg", request.svg,
-           "Draw the winding numbers of the cells and the curve as an SVG picture in FILE (default: no file).")
-      .value("FILE")
-      .needs(grid);
+  add_picture_options(parser, request.picture, "the winding numbers of the cells and the curve").needs(grid);
   add_json_option(parser, request.json);
   add_table_option(parser);
   add_threads_option(parser, request.threads);
@@ -90,6 +87,7 @@ void check(const WindingRequest& request) {
   if (!request.box.empty() && !(request.box[0] < request.box[2] && request.box[1] < request.box[3])) {
     throw UsageError("--box: the corners have to have X0 < X1 and Y0 < Y1");
   }
+  if (!request.picture.data.empty() && request.grid.empty()) throw UsageError("--data needs --grid");
   if (!request.output.empty()) (void)format_of(request.output);
 }
 
@@ -145,9 +143,8 @@ WindingReport compute(const WindingRequest& request, Progress& progress) {
 
 void run(const WindingRequest& request) {
   const detail::Stopwatch watch;
-  std::vector<Output> outputs;
-  for (const auto& [option, path] :
-       {std::pair{"-o", request.output}, {"--json", request.json}, {"--svg", request.svg}}) {
+  std::vector<Output> outputs = request.picture.outputs();
+  for (const auto& [option, path] : {std::pair{"-o", request.output}, {"--json", request.json}}) {
     if (!path.empty()) outputs.push_back({option, path});
   }
   check_outputs(outputs, inputs_of(request));
@@ -158,7 +155,7 @@ void run(const WindingRequest& request) {
     progress.phase("writing", 0.8, 1);
     const detail::Stopwatch write_watch;
     if (!request.output.empty()) write_winding_columns(request.output, report);
-    if (!request.svg.empty()) write_winding_picture(request.svg, report);
+    if (request.picture.asked()) write_figure(request.picture, winding_figure(report));
     report.write_seconds = write_watch.seconds();
     if (!request.json.empty()) write_winding_json(request.json, report, [&] { return watch.seconds(); });
   }

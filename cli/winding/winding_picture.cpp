@@ -4,9 +4,9 @@
 #include <array>
 #include <cstdlib>
 
-#include "cli/report/cells.hpp"
-#include "cli/report/svg.hpp"
-#include "cli/report/text.hpp"
+#include "cli/picture/cells.hpp"
+#include "cli/picture/system_figure.hpp"
+#include "cli/report/report.hpp"
 #include "cli/winding/winding_report.hpp"
 
 namespace lober::cli {
@@ -24,67 +24,52 @@ const char* winding_colour(int winding) {
 }
 
 // The cells of this number.
-std::string winding_path(const View& view, const WindingReport& report, int winding) {
+Layer winding_layer(const WindingReport& report, const operations::CurveWinding::Count& count, bool listed) {
   const WindingGrid& grid = *report.grid;
-  const auto corner = [&](std::size_t column, std::size_t row) {
-    return view(cell_corner(grid.window, grid.columns, grid.rows, column, row));
-  };
-  const auto has = [&](std::size_t column, std::size_t row) {
-    const Winding& cell = report.found().windings[row * grid.columns + column];
-    return !cell.on && cell.number == winding;
-  };
-  std::string path;
-  for_runs_of_cells(grid.columns, grid.rows, has, [&](std::size_t row, std::size_t first, std::size_t end) {
-    const Pixel low = corner(first, row), high = corner(end, row + 1);
-    append_all(path, "M", subpixel(low.x), " ", subpixel(low.y), "H", subpixel(high.x), "V", subpixel(high.y), "H",
-               subpixel(low.x), "z");
-  });
-  return path;
+  const std::string name = "winding number " + std::to_string(count.winding);
+  Layer layer = box_layer(name, listed ? name + ": " + counted(count.points, "point", "points") : "",
+                          winding_colour(count.winding));
+  layer.boxes = cell_boxes(
+      grid.columns, grid.rows,
+      [&](std::size_t column, std::size_t row) {
+        const Winding& cell = report.found().windings[row * grid.columns + column];
+        return !cell.on && cell.number == count.winding;
+      },
+      [&](std::size_t column, std::size_t row) {
+        return cell_corner(grid.window, grid.columns, grid.rows, column, row);
+      });
+  return layer;
 }
 
 }  // namespace
 
-void write_winding_picture(const std::string& path, const WindingReport& report) {
-  const View view(report.grid->window);
-  std::vector<operations::CurveWinding::Count> entries;
-  for (const operations::CurveWinding::Count& count : report.found().counts) {
+Figure winding_figure(const WindingReport& report) {
+  using Count = operations::CurveWinding::Count;
+  std::vector<Count> entries;
+  for (const Count& count : report.found().counts) {
     if (count.winding != 0) entries.push_back(count);
   }
   // All numbers are drawn; the legend has the commonest.
-  std::vector<operations::CurveWinding::Count> listed = entries;
+  std::vector<Count> listed = entries;
   if (listed.size() > max_legend_entries) {
     std::nth_element(listed.begin(), listed.begin() + max_legend_entries, listed.end(),
-                     [](const operations::CurveWinding::Count& a, const operations::CurveWinding::Count& b) {
+                     [](const Count& a, const Count& b) {
                        return a.points != b.points ? a.points > b.points : a.winding < b.winding;
                      });
     listed.resize(max_legend_entries);
-    std::sort(listed.begin(), listed.end(),
-              [](const operations::CurveWinding::Count& a, const operations::CurveWinding::Count& b) {
-                return a.winding < b.winding;
-              });
   }
-  std::string svg;
-  begin_picture(svg, view, "Winding numbers of a curve", static_cast<int>(1 + (listed.size() + 1) / 2));
-  for (const operations::CurveWinding::Count& entry : entries) {
-    svg += std::string("<path fill=\"") + winding_colour(entry.winding) + "\" d=\"" +
-           winding_path(view, report, entry.winding) + "\"/>\n";
+  Figure figure{.what = "Winding numbers of a curve", .title = short_name(spec_of(report.input))};
+  name_axes(figure, report.input.remark);
+  figure.window = report.grid->window;
+  for (const Count& entry : entries) {
+    const bool in_legend =
+        std::any_of(listed.begin(), listed.end(), [&](const Count& one) { return one.winding == entry.winding; });
+    figure.layers.push_back(winding_layer(report, entry, in_legend));
   }
-  add_stroked(svg, "#222222", 1.2, path_of(view, max_path_points, [&](PathWriter& writer) {
-                std::vector<Point> closed = report.input.curve.points;
-                closed.push_back(closed.front());
-                writer.add_line(closed);
-              }));
-  begin_legend(svg);
-  add_legend_entry(svg, view, 0, 0, line_swatch("#222222", 1.2),
-                   "the curve, signed area " + rounded(report.signed_area));
-  for (std::size_t k = 0; k < listed.size(); ++k) {
-    add_legend_entry(svg, view, static_cast<int>(k % 2), static_cast<int>(1 + k / 2),
-                     opaque_swatch(winding_colour(listed[k].winding)),
-                     "winding number " + std::to_string(listed[k].winding) + ": " + std::to_string(listed[k].points) +
-                         (listed[k].points == 1 ? " point" : " points"));
-  }
-  end_picture(svg);
-  write_file(path, svg);
+  figure.layers.push_back(
+      line_layer("curve", "the curve, signed area " + rounded(report.signed_area), palette::ink, 0.5));
+  figure.layers.back().lines.push_back(polyline(std::span<const Point>(report.input.curve.points), true));
+  return figure;
 }
 
 }  // namespace lober::cli

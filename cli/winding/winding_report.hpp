@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "cli/picture/figure.hpp"
 #include "lober/base/buffer.hpp"
 #include "lober/curve/files.hpp"
 #include "lober/operations.hpp"
@@ -33,8 +34,8 @@ struct WindingReport {
 [[nodiscard]] std::string winding_table(const WindingReport& report);
 /// x, y, winding, on, j of each point, into a file whose ending says the format.
 void write_winding_columns(const std::string& path, const WindingReport& report);
-/// The field of winding numbers on the grid, and the curve.
-void write_winding_picture(const std::string& path, const WindingReport& report);
+/// The field of winding numbers on the grid, and the curve, borrowed.
+[[nodiscard]] Figure winding_figure(const WindingReport& report);
 /// Writes the JSON object (docs/conventions.md, section 13); `seconds_so_far` gives the time since the program began.
 void write_winding_json(const std::string& path, const WindingReport& report,
                         const std::function<double()>& seconds_so_far);

@@ -17,9 +17,10 @@ from .errors import UsageError
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-UNSTABLE, STABLE = "tab:red", "tab:blue"
+UNSTABLE, STABLE, BOUNDARY = "#d55e00", "#0072b2", "#b3b3b3"
 #: Of what leaves, what enters, and lobes without a label.
-SIDES = {"12": "tab:orange", "21": "tab:green", "": "0.6"}
+SIDES = {"12": "#e69f00", "21": "#009e73", "": "#56b4e9"}
+OVERLAP = "#7b2d8b"
 
 
 def _axes(ax: Axes | None, equal: bool) -> Axes:
@@ -35,6 +36,22 @@ def _axes(ax: Axes | None, equal: bool) -> Axes:
 
 def _closed(points: Any) -> Any:
     return np.concatenate([points, points[:1]])
+
+
+def _drawable(points: Any, window: Any) -> Any:
+    """The line without points that nobody sees: those in the cell of the point before, of 8000 x 8000 over the window.
+
+    matplotlib refuses paths with very many of them ("Exceeded cell block limit").
+    """
+    points, window = np.asarray(points), np.asarray(window)
+    if len(points) < 10_000:
+        return points
+    low, extent = window.min(axis=0), np.ptp(window, axis=0)
+    cell = np.floor((points - low) / np.where(extent > 0, extent, 1) * 8000)
+    cell = np.clip(cell, -8000, 16000)  # far beyond the window all is one cell
+    kept = np.ones(len(points), dtype=bool)
+    kept[1:-1] = (cell[1:-1] != cell[:-2]).any(axis=1) | (cell[1:-1] != cell[2:]).any(axis=1)
+    return points[kept]
 
 
 def _label_place(ring: Any, centroid: Any) -> tuple[float, float]:
@@ -60,11 +77,11 @@ def overlay(
     """Both curves, the pieces of some pairings, and the points where the curves meet."""
     ax = _axes(ax, True)
     curves = r._run.arguments
-    for pairing, colour in zip(pairings, ("tab:orange", "tab:green", "tab:purple", "0.6")):
+    for pairing, colour in zip(pairings, (STABLE, UNSTABLE, OVERLAP, "0.6")):
         for piece in r.pieces(pairing):
             _fill(ax, piece.outline, color=colour)
-    for curve, colour, label in zip(curves, (UNSTABLE, STABLE), ("C1", "C2")):
-        ring = _closed(curve)
+    for curve, colour, label in zip(curves, (STABLE, UNSTABLE), ("C1", "C2")):
+        ring = _drawable(_closed(curve), curve)
         ax.plot(ring[:, 0], ring[:, 1], color=colour, linewidth=1, label=label)
     if nodes:
         ax.plot(r.nodes["x"], r.nodes["y"], "k.", markersize=4, label="nodes")
@@ -90,10 +107,11 @@ def tangle(
             ax.annotate(label or str(k), _label_place(ring, t.lobes.centroid[k]), ha="center", va="center", fontsize="small")
     if t.boundary is not None:
         ring = _closed(t.boundary.outline)
-        ax.plot(ring[:, 0], ring[:, 1], color="k", linewidth=1.5, label="boundary")
+        ax.plot(ring[:, 0], ring[:, 1], color=BOUNDARY, linewidth=4, zorder=0, label="boundary")
         shown.append(t.boundary.outline)
     for points, colour, label in ((t.u, UNSTABLE, "U"), (t.s, STABLE, "S")):
-        ax.plot(points[:, 0], points[:, 1], color=colour, linewidth=0.7, label=label)
+        line = _drawable(points, np.concatenate(shown) if shown else points)
+        ax.plot(line[:, 0], line[:, 1], color=colour, linewidth=0.7, label=label)
     if pips:
         ax.plot(t.pips["x"], t.pips["y"], "k.", markersize=4, label="pips")
     if shown:

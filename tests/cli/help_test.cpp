@@ -127,7 +127,7 @@ TEST_F(Help, GroupsOptions) {
   expect_in("--json FILE", results, pictures);
   expect_in("--window X0,Y0,X1,Y1", pictures, running);
   expect_in("--threads N", running, help.size());
-  EXPECT_NE(help.find("Needs --svg."), std::string::npos);
+  EXPECT_NE(help.find("Needs --picture."), std::string::npos);
   // --boundary names a file here, and is a curve to begin with there.
   EXPECT_LT(text({"tangle"}).find("Results and files"), text({"tangle"}).find("--boundary FILE"));
   EXPECT_LT(text({"image"}).find("\n  --boundary"), text({"image"}).find("Accuracy"));

@@ -107,7 +107,8 @@ TEST_F(Outputs, HaveTheEndingsOfTheirFormats) {
     EXPECT_FALSE(exists(name)) << name;
   };
   const Arguments overlay{"overlay", "a.dat", "b.dat"}, tangle{"tangle", "u.dat", "s.dat"};
-  refused(overlay, "--svg", "x.png", ".svg");
+  refused(overlay, "--svg", "x.json", ".svg or .pdf or .png");
+  refused(overlay, "--data", "x.svg", ".csv or .json");
   refused(overlay, "--lobes", "x.npy", ".geojson");
   refused(overlay, "--lobes", "x.mat", ".npz");
   refused(overlay, "--crossings", "x.dat", ".csv");
@@ -117,8 +118,8 @@ TEST_F(Outputs, HaveTheEndingsOfTheirFormats) {
   refused(tangle, "--boundary", "x.PNG", ".dat");
   refused(tangle, "--graph", "x.dot", ".json");
   refused({"tangle", "--system", "henon"}, "--lobes", "x.shp", ".dat");
-  refused({"transport", "henon"}, "--picture", "x.pdf", ".svg");
-  refused({"escape", "capsize"}, "--svg", "x.png", ".svg");
+  refused({"transport", "henon"}, "--picture", "x.npy", ".svg");
+  refused({"escape", "capsize"}, "--svg", "x.csv", ".svg");
   refused({"grow", "henon", "--unstable", "--tolerance", "1e-3", "--iterates", "1"}, "-o", "x.svg", ".npy");
   refused({"a.dat"}, "b.dat", "x.npy", "<rslt>");
   for (const char* name : {"x.JSON", "x", "x.0.6", "x.K=2"}) {

@@ -90,7 +90,7 @@ TEST_F(OverlayRule, HasTheSameBytesForAnyNumberOfThreads) {
 
 TEST_F(OverlayRule, RefusesWhatDoesNotCombine) {
   for (const std::vector<std::string>& more :
-       {std::vector<std::string>{"--svg", "picture.svg"}, {"--crossings", "crossings.csv"}, {"--no-check-simple"}}) {
+       {std::vector<std::string>{"--crossings", "crossings.csv"}, {"--no-check-simple"}}) {
     std::vector<std::string> arguments{"overlay", "eight", "box", "--rule", "nonzero"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const Outcome outcome = run(arguments);

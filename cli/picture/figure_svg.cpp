@@ -1,0 +1,130 @@
+#include "cli/picture/figure_svg.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/picture/axes_svg.hpp"
+#include "cli/picture/inset.hpp"
+#include "cli/picture/layers_svg.hpp"
+#include "cli/picture/legend.hpp"
+#include "cli/picture/rich_text.hpp"
+#include "cli/report/text.hpp"
+
+namespace lober::cli {
+namespace {
+
+constexpr double points_in_mm = 72 / 25.4;
+constexpr double border = 3, title_size = 8, title_step = 9.6, name_size = 8, tick_size = 7;
+
+// Where everything stands. Ticks depend on the size of the plot and the plot on the texts of the ticks: two rounds do.
+struct Layout {
+  double width, height;
+  std::vector<std::string> title;
+  Frame plot;
+  Ticks across, up;
+  double legend_top;
+};
+
+Layout layout_of(const Figure& figure, const FigureStyle& style, const Rectangle& window, double legend_height) {
+  Layout layout;
+  layout.width = style.width * points_in_mm;
+  layout.title = wrapped(figure.title, title_size, layout.width - 2 * border);
+  const double top = border + static_cast<double>(layout.title.size()) * title_step + 2;
+  const double below =
+      (figure.axes ? 4 + tick_size + 3 + name_size + 2 : 4) + (legend_height > 0 ? legend_height + 3 : 0) + border;
+  double left = border + (figure.axes ? name_size + 18 : 0);
+  for (int round = 0; round < 3; ++round) {
+    const double right = border + (figure.axes ? std::max(3.0, 0.5 * widest(layout.across, tick_size)) : 0);
+    Frame room{left, top, std::max(20.0, layout.width - left - right), 0};
+    if (style.height) {
+      room.height = std::max(20.0, *style.height * points_in_mm - top - below);
+    } else {
+      room.height = room.width * (figure.plane ? 1.25 : 0.66);
+    }
+    layout.plot = figure.plane ? fitted_frame(window, room) : room;
+    if (figure.plane && !style.height && layout.plot.height == room.height && layout.plot.width == room.width) {
+      layout.plot.height = 0.75 * room.width;  // one scale for both axes does not do
+    }
+    layout.plot.x += 0.5 * (room.width - layout.plot.width);
+    if (!figure.axes) break;
+    layout.across = ticks_across(window, layout.plot.width, tick_size, figure.x);
+    layout.up = ticks_up(window, layout.plot.height, tick_size, figure.y);
+    left = border + name_size + 5 + widest(layout.up, tick_size) + 4;
+  }
+  layout.legend_top = layout.plot.bottom() + (figure.axes ? 4 + tick_size + 3 + name_size + 2 : 4) + 3;
+  layout.height = style.height ? *style.height * points_in_mm : layout.plot.bottom() + below;
+  return layout;
+}
+
+// A name that is longer than its axis is set smaller, down to half.
+double fitting_size(std::string_view text, double length) {
+  return name_size * std::clamp(length / std::max(1.0, text_width(text, name_size)), 0.5, 1.0);
+}
+
+void add_straight(std::string& svg, PrintPoint a, PrintPoint b, const char* colour, double width) {
+  append_all(svg, "<path d=\"M", hundredth(a.x), " ", hundredth(a.y), "L", hundredth(b.x), " ", hundredth(b.y),
+             "\" stroke=\"", colour, "\" stroke-width=\"", width, "\"/>\n");
+}
+
+void add_guides(std::string& svg, const Figure& figure, const Layout& layout, const View& view) {
+  const Frame& plot = layout.plot;
+  if (!figure.plane && figure.axes) {
+    for (const Tick& tick : layout.up.list) {
+      const double y = plot.bottom() - tick.fraction * plot.height;
+      add_straight(svg, {plot.x, y}, {plot.right(), y}, palette::grid, 0.35);
+    }
+  }
+  const Rectangle& window = view.window();
+  if (figure.zero_line && window.min_y < 0 && window.max_y > 0) {
+    const double y = view({window.min_x, 0}).y;
+    add_straight(svg, {plot.x, y}, {plot.right(), y}, "#888888", 0.5);
+  }
+  for (const double mark : figure.x_marks) {
+    if (!(mark >= window.min_x && mark <= window.max_x)) continue;
+    const double x = view({mark, window.min_y}).x;
+    add_straight(svg, {x, plot.y}, {x, plot.bottom()}, "#888888", 0.5);
+  }
+}
+
+}  // namespace
+
+std::string figure_svg(const Figure& figure, const FigureStyle& style) {
+  const Rectangle window = drawable_window(style.window ? *style.window : figure.window);
+  const double width = style.width * points_in_mm;
+  const Figure nothing;
+  const Legend legend(style.legend ? figure : nothing, width - 2 * border);
+  const Layout layout = layout_of(figure, style, window, legend.height());
+  const View view(window, layout.plot);
+  std::string svg;
+  append_all(svg, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"", style.width, "mm\" height=\"",
+             hundredth(layout.height / points_in_mm), "mm\" viewBox=\"0 0 ", hundredth(layout.width), " ",
+             hundredth(layout.height),
+             "\" font-family=\"Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif\" fill=\"#222222\">\n");
+  append_all(svg, "<title>", escaped(figure.what),
+             "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n");
+  for (std::size_t k = 0; k < layout.title.size(); ++k) {
+    add_text(svg, 0.5 * layout.width, border + title_size + static_cast<double>(k) * title_step, layout.title[k],
+             {.size = title_size, .anchor = "middle"});
+  }
+  add_guides(svg, figure, layout, view);
+  add_layers(svg, figure, view, "plot");
+  std::optional<Inset> inset;
+  if (style.inset) inset.emplace(figure, view, drawable_window(*style.inset));
+  const Frame* const taken = inset ? &inset->outer() : nullptr;
+  if (inset) inset->draw(svg);
+  add_labels(svg, figure, view, taken, 1);
+  if (figure.axes) {
+    add_axes(svg, view, layout.across, layout.up, tick_size);
+    const std::string x_text = axis_text(figure.x, layout.across), y_text = axis_text(figure.y, layout.up);
+    const Frame& plot = layout.plot;
+    add_text(svg, plot.x + 0.5 * plot.width, plot.bottom() + 4 + tick_size + 2 + name_size, x_text,
+             {.size = fitting_size(x_text, layout.width - 2 * border), .anchor = "middle"});
+    add_text(svg, plot.x - 5 - widest(layout.up, tick_size) - 4, plot.y + 0.5 * plot.height, y_text,
+             {.size = fitting_size(y_text, plot.height + 20), .anchor = "middle", .upward = true});
+  }
+  legend.draw(svg, border, layout.legend_top);
+  svg += "</svg>\n";
+  return svg;
+}
+
+}  // namespace lober::cli

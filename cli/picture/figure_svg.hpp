@@ -1,0 +1,24 @@
+// The one renderer: a figure as SVG, with title, axes, legend and labels, in the size in which it will be printed.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/picture/figure.hpp"
+
+namespace lober::cli {
+
+/// The choices that the options of pictures leave to users (picture_options.hpp).
+struct FigureStyle {
+  std::optional<Rectangle> window{};  ///< part of the plane that is shown; none: the figure's own
+  std::optional<Rectangle> inset{};   ///< part that is shown once more, magnified
+  double width = 85;                  ///< width of the picture in mm: a column of a journal
+  std::optional<double> height{};     ///< in mm; none: as the window asks for
+  bool legend = true;
+};
+
+/// The picture as SVG, the same bytes every time. Lines are cut to the window and simplified to a twentieth of a point;
+/// coordinates are relative to the picture. O(points).
+[[nodiscard]] std::string figure_svg(const Figure& figure, const FigureStyle& style);
+
+}  // namespace lober::cli

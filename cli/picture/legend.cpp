@@ -1,0 +1,132 @@
+#include "cli/picture/legend.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/picture/rich_text.hpp"
+#include "cli/report/text.hpp"
+
+namespace lober::cli {
+namespace {
+
+constexpr double font_size = 7, line_step = 8.6, row_gap = 1.4, sample_width = 14, text_indent = 18, column_gap = 10;
+constexpr std::size_t max_columns = 5;
+
+void add_sample(std::string& svg, const Layer& layer) {
+  switch (layer.kind) {
+    case LayerKind::fill:
+      append_all(svg, "<rect y=\"-3.5\" width=\"", sample_width, "\" height=\"7\" fill=\"", layer.colour,
+                 "\" fill-opacity=\"", layer.opacity, "\"/>");
+      break;
+    case LayerKind::boxes:
+      append_all(svg, "<rect y=\"-3.5\" width=\"", sample_width, "\" height=\"7\" fill=\"", layer.colour, "\"/>");
+      break;
+    case LayerKind::line:
+      append_all(svg, "<path d=\"M0 0h", sample_width, "\" stroke=\"", layer.colour, "\" stroke-width=\"",
+                 std::max(0.7, layer.width), "\"", layer.dashed ? " stroke-dasharray=\"3 2\"" : "", "/>");
+      if (layer.arrow_at_end || layer.arrows > 0) {
+        append_all(svg, "<path d=\"M", sample_width, " 0l-4 -1.6v3.2z\" fill=\"", layer.colour, "\"/>");
+      }
+      break;
+    case LayerKind::dots:
+      if (!layer.errors.empty()) {
+        append_all(svg, "<path d=\"M", sample_width / 2, " -3.5v7\" stroke=\"", layer.colour,
+                   "\" stroke-width=\"0.5\"/>");
+      }
+      add_dot(svg, layer, sample_width / 2, 0, 1);
+  }
+}
+
+}  // namespace
+
+void add_dot(std::string& svg, const Layer& layer, double x, double y, double scale) {
+  const auto number = [&](double value) { return scale == 1 ? hundredth(value) : std::round(value); };
+  const double r = layer.radius * scale;
+  switch (layer.shape) {
+    case DotShape::circle:
+      append_all(svg, "<circle cx=\"", number(x), "\" cy=\"", number(y), "\" r=\"", number(r), "\"");
+      break;
+    case DotShape::square:
+      append_all(svg, "<path d=\"M", number(x - r), " ", number(y - r), "h", number(2 * r), "v", number(2 * r), "h",
+                 number(-2 * r), "z\"");
+      break;
+    case DotShape::triangle:
+      append_all(svg, "<path d=\"M", number(x), " ", number(y - 1.2 * r), "l", number(1.1 * r), " ", number(1.9 * r),
+                 "h", number(-2.2 * r), "z\"");
+      break;
+    case DotShape::cross:
+      append_all(svg, "<path d=\"M", number(x - r), " ", number(y - r), "l", number(2 * r), " ", number(2 * r), "m0 ",
+                 number(-2 * r), "l", number(-2 * r), " ", number(2 * r), "\" fill=\"none\" stroke=\"", layer.colour,
+                 "\" stroke-width=\"", number(scale), "\"/>\n");
+      return;
+  }
+  if (layer.hollow) {
+    append_all(svg, " fill=\"#ffffff\" stroke=\"", layer.colour, "\" stroke-width=\"", number(0.7 * scale), "\"/>\n");
+  } else {
+    append_all(svg, " fill=\"", layer.colour, "\" stroke=\"#ffffff\" stroke-width=\"", number(0.3 * scale), "\"/>\n");
+  }
+}
+
+Legend::Legend(const Figure& figure, double width) {
+  const double text_room = width - text_indent;
+  const auto add = [&](const Layer* layer, const std::string& text) {
+    if (text.empty()) return;
+    const std::vector<std::string> lines = wrapped(text, font_size, text_room);
+    for (const Entry& entry : entries_) {
+      if (entry.lines == lines) return;
+    }
+    entries_.push_back({layer, lines});
+  };
+  for (const Layer& layer : figure.layers) add(&layer, layer.legend);
+  for (const std::string& note : figure.notes) add(nullptr, note);
+  if (entries_.empty()) return;
+  // The largest number of columns, each as wide as its longest text, filled row by row.
+  const auto entry_width = [](const Entry& entry) {
+    double widest = 0;
+    for (const std::string& line : entry.lines) widest = std::max(widest, text_width(line, font_size));
+    return widest + (entry.layer == nullptr ? 0 : text_indent);
+  };
+  for (std::size_t count = std::min(entries_.size(), max_columns); count > 0; --count) {
+    std::vector<double> widths(count, 0.0);
+    for (std::size_t k = 0; k < entries_.size(); ++k) {
+      widths[k % count] = std::max(widths[k % count], entry_width(entries_[k]));
+    }
+    columns_.clear();
+    double x = 0;
+    for (const double column : widths) {
+      columns_.push_back(x);
+      x += column + column_gap;
+    }
+    if (x - column_gap <= width) break;
+  }
+  double y = 0;
+  for (std::size_t k = 0; k < entries_.size(); k += columns_.size()) {
+    row_tops_.push_back(y);
+    std::size_t lines = 1;
+    for (std::size_t j = k; j < std::min(entries_.size(), k + columns_.size()); ++j) {
+      lines = std::max(lines, entries_[j].lines.size());
+    }
+    y += static_cast<double>(lines) * line_step + row_gap;
+  }
+  row_tops_.push_back(y);
+}
+
+double Legend::height() const {
+  return row_tops_.empty() ? 0 : row_tops_.back();
+}
+
+void Legend::draw(std::string& svg, double x, double y) const {
+  for (std::size_t k = 0; k < entries_.size(); ++k) {
+    const Entry& entry = entries_[k];
+    append_all(svg, "<g transform=\"translate(", hundredth(x + columns_[k % columns_.size()]), " ",
+               hundredth(y + row_tops_[k / columns_.size()] + line_step / 2), ")\">");
+    if (entry.layer != nullptr) add_sample(svg, *entry.layer);
+    for (std::size_t line = 0; line < entry.lines.size(); ++line) {
+      add_text(svg, entry.layer != nullptr ? text_indent : 0, 0.36 * font_size + static_cast<double>(line) * line_step,
+               entry.lines[line], {.size = font_size});
+    }
+    svg += "</g>\n";
+  }
+}
+
+}  // namespace lober::cli

@@ -1,0 +1,118 @@
+#include "cli/picture/picture_options.hpp"
+
+#include <algorithm>
+
+#include "cli/picture/conversion.hpp"
+#include "cli/picture/figure_data.hpp"
+#include "cli/program/output_names.hpp"
+#include "lober/base/error.hpp"
+#include "lober/curve/files.hpp"
+
+namespace lober::cli {
+namespace {
+
+constexpr std::size_t max_named = 30;
+constexpr double png_resolution = 400;  // pixels an inch
+
+Rectangle corners(const char* option, const std::vector<double>& values) {
+  if (!(values[0] < values[2] && values[1] < values[3])) {
+    throw UsageError(std::string(option) + ": the corners have to have X0 < X1 and Y0 < Y1");
+  }
+  return Rectangle::of({values[0], values[1]}, {values[2], values[3]});
+}
+
+}  // namespace
+
+std::vector<Output> PictureRequest::outputs() const {
+  (void)style();
+  if (labels && no_labels) throw UsageError("--labels and --no-labels contradict each other; give one of them");
+  std::vector<Output> outputs;
+  if (!file.empty()) outputs.push_back({"--picture", file});
+  if (!data.empty()) outputs.push_back({"--data", data});
+  return outputs;
+}
+
+FigureStyle PictureRequest::style() const {
+  FigureStyle style;
+  if (!window.empty()) style.window = corners("--window", window);
+  if (!inset.empty()) style.inset = corners("--inset", inset);
+  if (!size.empty()) style.width = size[0];
+  if (size.size() > 1) style.height = size[1];
+  style.legend = !no_legend;
+  return style;
+}
+
+bool PictureRequest::labels_for(std::size_t count) const {
+  return labels || (!no_labels && count <= max_named);
+}
+
+Option add_further_picture(OptionParser& parser, const char* names, std::string& file, const std::string& what) {
+  const std::string help =
+      "Draw " + what + " in FILE, as SVG, PDF or PNG by its ending .svg, .pdf or .png (default: no file).";
+  return parser.add(names, file, help.c_str()).value("FILE");
+}
+
+Option add_picture_options(OptionParser& parser, PictureRequest& request, const std::string& what,
+                           const std::string& named_things, const char* names) {
+  const Option picture = add_further_picture(parser, names, request.file, what);
+  parser
+      .add("--data", request.data,
+           "Write the points of all that the picture shows to FILE, as comma-separated columns (.csv) or JSON (.json) "
+           "(default: no file).")
+      .value("FILE");
+  parser
+      .add("--window", request.window,
+           "Two corners of the part of the plane that the picture shows, X0 < X1 and Y0 < Y1 (default: all).")
+      .comma_separated()
+      .count(4)
+      .value("X0,Y0,X1,Y1")
+      .needs(picture);
+  parser
+      .add("--inset", request.inset,
+           "Two corners of a part of the plane that the picture shows once more, magnified, in the corner where that "
+           "hides least (default: none).")
+      .comma_separated()
+      .count(4)
+      .value("X0,Y0,X1,Y1")
+      .needs(picture);
+  parser
+      .add("--size", request.size,
+           "The width of the picture in print, and its height, in mm (default: 85, a column of a journal, and the "
+           "height that the window asks for).")
+      .comma_separated()
+      .count(1, 2)
+      .range(30.0, 2000.0)
+      .value("WIDTH[,HEIGHT]")
+      .needs(picture);
+  parser.add_flag("--no-legend", request.no_legend, "Leave out the legend of the picture.").needs(picture);
+  if (!named_things.empty()) {
+    parser
+        .add_flag("--labels", request.labels,
+                  ("Name " + named_things +
+                   " in the picture, as far as there is room (default: where there are at most 30 lobes).")
+                      .c_str())
+        .needs(picture);
+    parser.add_flag("--no-labels", request.no_labels, "Name nothing in the picture.").needs(picture);
+  }
+  return picture;
+}
+
+void write_figure(const std::string& path, const Figure& figure, const FigureStyle& style) {
+  const std::string svg = figure_svg(figure, style);
+  switch (picture_format(path)) {
+    case PictureFormat::svg:
+      return write_file(path, svg);
+    case PictureFormat::pdf:
+      return write_file(path, pdf_of(svg));
+    case PictureFormat::png:
+      return write_file(path, png_of(svg, png_resolution));
+  }
+}
+
+void write_figure(const PictureRequest& request, const Figure& figure) {
+  if (!request.file.empty()) write_figure(request.file, figure, request.style());
+  if (request.data.empty()) return;
+  write_file(request.data, request.data.ends_with(".json") ? figure_json(figure) : figure_csv(figure));
+}
+
+}  // namespace lober::cli

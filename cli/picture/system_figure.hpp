@@ -1,0 +1,31 @@
+// Parts that pictures of several commands have in common: titles, names of axes, windows.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/picture/figure.hpp"
+#include "lober/dynamics/systems.hpp"
+
+namespace lober::cli {
+
+/// "ovp: gamma = 0.5, eps = 0.1, phase = 0", the title of a picture.
+[[nodiscard]] std::string system_title(const SystemInfo& system);
+/// The names of the coordinates of the system's map: x and y, or those of its section.
+void name_axes(Figure& figure, const System& system);
+/// The names of the columns that a remark on a curve that was read speaks of; x and y where there is none.
+void name_axes(Figure& figure, const std::string& remark);
+
+/// The box widened by a thirtieth on each side, so that nothing lies on the frame.
+[[nodiscard]] Rectangle with_margin(const Rectangle& box);
+/// "eddy.csv#0" for the curve of a file, without its folder.
+[[nodiscard]] std::string short_name(const std::string& spec);
+/// A number with six digits.
+[[nodiscard]] std::string rounded(double value);
+
+/// A borrowed curve, an open or a closed one.
+[[nodiscard]] Polyline polyline(std::span<const Point> points, bool closed, std::string name = {});
+/// Points of its own.
+[[nodiscard]] Polyline polyline(std::vector<Point> points, bool closed, std::string name = {});
+
+}  // namespace lober::cli
