@@ -12,9 +12,9 @@
 #include "cli/program/written_files.hpp"
 #include "engine/base/output_file.hpp"
 #include "engine/files/curve_spec.hpp"
-#include "engine/files/period_text.hpp"
 #include "lober/base/error.hpp"
 #include "lober/base/threads.hpp"
+#include "lober/curve/cylinders.hpp"
 
 namespace lober::cli {
 namespace {
@@ -102,7 +102,7 @@ bool takes_standard_output(std::span<const Output> outputs) {
 namespace {
 
 void take_period_option(const std::string& text, Periods& periods) {
-  if (detail::take_period(text, periods)) return;
+  if (take_period(text, periods)) return;
   throw UsageError("--periodic: \"" + text + "\" is not x=PERIOD or y=PERIOD, such as x=2pi");
 }
 

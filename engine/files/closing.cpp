@@ -6,6 +6,7 @@
 
 #include "engine/base/text.hpp"
 #include "lober/base/error.hpp"
+#include "lober/curve/cylinders.hpp"
 
 namespace lober::detail {
 namespace {
@@ -34,6 +35,11 @@ std::string closing_remark(std::span<const Point> points) {
          format_number(std::round(closing / *middle)) + " times as long as the median segment. Is it an open curve?";
 }
 
+}  // namespace lober::detail
+
+namespace lober {
+using namespace detail;
+
 void require_closed_in_the_plane(std::span<const Point> points, Periods periods, const std::string& spec) {
   if (points.empty()) return;
   const auto check = [&](double first, double last, double period, const char* name) {
@@ -45,4 +51,4 @@ void require_closed_in_the_plane(std::span<const Point> points, Periods periods,
   check(points.front().y, points.back().y, periods.y, "y");
 }
 
-}  // namespace lober::detail
+}  // namespace lober

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "kernels/point.hpp"
-#include "lober/curve/periods.hpp"
 
 namespace lober::detail {
 
@@ -14,9 +13,5 @@ namespace lober::detail {
 /// it is empty. The median is that of some thousand segments, evenly spread, repeated vertices aside. O(1) in the
 /// number of points.
 [[nodiscard]] std::string closing_remark(std::span<const Point> points);
-
-/// Throws DataError "spec: ..." for a closed curve that goes round a cylinder, which would be closed by a segment
-/// across all of it.
-void require_closed_in_the_plane(std::span<const Point> points, Periods periods, const std::string& spec);
 
 }  // namespace lober::detail

@@ -1,11 +1,11 @@
-#include "engine/files/period_text.hpp"
-
 #include <cmath>
 #include <numbers>
 
 #include "engine/files/number.hpp"
+#include "lober/curve/cylinders.hpp"
 
-namespace lober::detail {
+namespace lober {
+using namespace detail;
 
 bool take_period(std::string_view text, Periods& periods) {
   if (text.size() < 3 || (text[0] != 'x' && text[0] != 'y') || text[1] != '=') return false;
@@ -20,4 +20,4 @@ bool take_period(std::string_view text, Periods& periods) {
   return true;
 }
 
-}  // namespace lober::detail
+}  // namespace lober

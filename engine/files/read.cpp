@@ -20,6 +20,7 @@
 #include "engine/files/plausible.hpp"
 #include "engine/files/read_memory.hpp"
 #include "engine/files/sniff.hpp"
+#include "lober/curve/cylinders.hpp"
 #include "lober/curve/files.hpp"
 
 namespace lober {

@@ -4,9 +4,9 @@
 
 #include "engine/base/machine_memory.hpp"
 #include "engine/batch/export/table_columns.hpp"
-#include "engine/files/formats/hdf5_table.hpp"
 #include "lober/base/version.hpp"
 #include "lober/curve/files.hpp"
+#include "lober/curve/table_file.hpp"
 
 namespace lober::detail {
 

@@ -5,8 +5,8 @@
 #include <new>
 #include <span>
 
-#include "engine/files/closing.hpp"
 #include "lober/curve/curve.hpp"
+#include "lober/curve/cylinders.hpp"
 #include "lober/curve/files.hpp"
 
 namespace lober::detail {

@@ -12,7 +12,7 @@
 #include "engine/base/file_bytes.hpp"
 #include "engine/base/nearest_word.hpp"
 #include "engine/batch/manifest/recipe_reader.hpp"
-#include "engine/files/period_text.hpp"
+#include "lober/curve/cylinders.hpp"
 
 namespace lober::detail {
 namespace {

@@ -1,11 +1,11 @@
-#include "engine/files/formats/hdf5_table.hpp"
-
 #include <mutex>
 
 #include "engine/files/formats/hdf5_library.hpp"
 #include "lober/base/error.hpp"
+#include "lober/curve/table_file.hpp"
 
-namespace lober::detail {
+namespace lober {
+using namespace detail;
 
 #if LOBER_HAS_HDF5
 namespace {
@@ -106,4 +106,4 @@ std::string hdf5_table(std::span<const TableColumn>, std::span<const std::pair<s
 }
 #endif
 
-}  // namespace lober::detail
+}  // namespace lober
