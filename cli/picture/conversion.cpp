@@ -84,7 +84,7 @@ void draw(void* handle, void* surface, double width, double height) {
 struct SvgSize {
   double width, height;  // points of print
 };
-// librsvg is told below that a pixel is 1/96 inch, as CSS has it.
+// A pixel of librsvg is 1/96 inch, as in CSS (set_resolution).
 SvgSize size_of(void* handle) {
   SvgSize size{};
   if (rsvg_library.function<SizeInPixels>("rsvg_handle_get_intrinsic_size_in_pixels")(handle, &size.width,

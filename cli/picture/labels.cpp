@@ -53,9 +53,10 @@ void Labels::draw(const Rectangle& box, PrintPoint at, double radius, std::strin
   const double distance = std::hypot(nearest.x - at.x, nearest.y - at.y);
   if (distance > radius + leader_distance) {
     const double begin = (radius + 0.5) / distance;
+    const double end = 1 - begin;
     append_all(svg_, "<path d=\"M", hundredth(at.x + begin * (nearest.x - at.x)), " ",
-               hundredth(at.y + begin * (nearest.y - at.y)), "L", hundredth(nearest.x), " ", hundredth(nearest.y),
-               "\" stroke=\"#666666\" stroke-width=\"0.35\"/>\n");
+               hundredth(at.y + begin * (nearest.y - at.y)), "l", hundredth(end * (nearest.x - at.x)), " ",
+               hundredth(end * (nearest.y - at.y)), "\" stroke=\"#666666\" stroke-width=\"0.35\"/>\n");
   }
   add_text(svg_, 0.5 * (low.x + high.x), 0.5 * (low.y + high.y) + 0.35 * size, text,
            {.size = size, .anchor = "middle", .halo = true});

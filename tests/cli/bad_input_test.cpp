@@ -159,7 +159,7 @@ TEST_F(BadInput, OptionsThatMakeNoSense) {
 TEST_F(BadInput, OptionsThatAreEmpty) {
   expect_failure({"overlay", "good", "good", "--json", ""}, 2, "--json has an empty value");
   expect_failure({"overlay", "", "good"}, 2, "C1 has an empty value");
-  expect_failure({"tangle", "good", "", "--svg="}, 2, "--svg");
+  expect_failure({"tangle", "good", "", "--svg="}, 2, "--picture");
   expect_failure({"densify", "good", "-o", "", "--max-length", "1"}, 2, "empty");
   expect_failure({"batch", "run", "good", "--shard", ""}, 2, "--shard has an empty value");
   expect_failure({"batch", "run", "good", "--memory", ""}, 2, "--memory has an empty value");

@@ -140,7 +140,7 @@ TEST_F(SectionProgram, RefusesWhatMakesNoSense) {
   refused({"henon", "--start", "nowhere"}, 1, "nowhere: ");
   refused({"henon", "--box", "0,0,1,0"}, 2, "x0 < x1");
   refused({"henon", "-o", "orbits.dat"}, 2, "use one of these endings");
-  refused({"capsize", "--exit-times"}, 2, "--svg");
+  refused({"capsize", "--exit-times"}, 2, "--picture");
   refused({"capsize", "--exit-times", "--svg", "a.svg", "--start", "0,0"}, 2, "cannot be given together");
   refused({"nosuch"}, 2, "nosuch");
 }
