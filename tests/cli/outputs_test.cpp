@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdlib>
 
+#include "lober/curve/files.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/cli/programs.hpp"
 #include "tests/paths.hpp"
