@@ -48,9 +48,16 @@ operation = "interior"
 
 TEST_F(SharedRunTest, PortionsInAnyOrderGiveTheBytesOfOneProcess) {
   SharedRun run = started("s");
+  // Smaller ones than the queue gives, so that there are many.
+  constexpr std::size_t max_jobs = 37;
   std::vector<std::vector<std::uint32_t>> portions;
-  for (auto jobs = run.next_portion(1); !jobs.empty(); jobs = run.next_portion(1)) portions.push_back(jobs);
-  EXPECT_GT(portions.size(), 4U);
+  for (auto jobs = run.next_portion(1); !jobs.empty(); jobs = run.next_portion(1)) {
+    for (std::size_t begin = 0; begin < jobs.size(); begin += max_jobs) {
+      const auto first = jobs.begin() + static_cast<std::ptrdiff_t>(begin);
+      portions.emplace_back(first, first + static_cast<std::ptrdiff_t>(std::min(max_jobs, jobs.size() - begin)));
+    }
+  }
+  EXPECT_GE(portions.size(), 12U);
   std::shuffle(portions.begin(), portions.end(), std::mt19937(1));
   for (const auto& jobs : portions) run.add(jobs, run_portion(run.encoded(jobs), here()).results);
   run.finish("complete");
