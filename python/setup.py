@@ -19,8 +19,6 @@ here = Path(__file__).resolve().parent
 # In a source distribution the C++ code lies beside this file, in the repository it is the folder above.
 source = ((here / "source") if (here / "source").is_dir() else here.parent).resolve()
 SOURCES = ["CMakeLists.txt", "cmake", "engine", "kernels", "python/CMakeLists.txt", "python/bindings", "viewer"]
-# Pages have the colours of the program's pictures.
-SOURCES += [str(header.relative_to(source)) for header in source.glob("cli/*/palette.hpp")]
 # This module's own build, without the program and the tests.
 OPTIONS = ["-DCMAKE_BUILD_TYPE=Release", "-DLOBER_BUILD_CLI=OFF", "-DLOBER_BUILD_TESTS=OFF", "-DLOBER_INSTALL=OFF", "-DLOBER_UNITY=ON"]
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/picture/palette.hpp"
 #include "lober/curve/point.hpp"
+#include "viewer/palette.hpp"
 
 namespace lober::cli {
 

@@ -151,6 +151,11 @@ std::string text_of_cell(std::string_view cell) {
   return text;
 }
 
+bool goes_on_behind_quotes(std::string_view cell) {
+  const char* const end = cell.data() + cell.size();
+  return cell.starts_with('"') && behind_quotes(cell.data(), end) != end;
+}
+
 bool is_open(std::string_view cell) {
   if (cell.empty() || cell.front() != '"') return false;
   const char* const end = cell.data() + cell.size();

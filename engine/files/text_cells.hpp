@@ -36,6 +36,9 @@ void cut_into_cells(std::string_view line, Separator separator, std::size_t coun
 /// Whether quotes begin and do not end.
 [[nodiscard]] bool is_open(std::string_view cell);
 
+/// Whether quotes begin, and there is more of the cell behind their end: another separator may part such lines.
+[[nodiscard]] bool goes_on_behind_quotes(std::string_view cell);
+
 /// The separator of a line that is looked at alone: the first of comma, semicolon and tab, outside of quotes and
 /// comments, that parts a number from the rest, or else parts anything, tabs only where none of their cells is empty;
 /// else blanks.

@@ -76,6 +76,9 @@ bool parts_both(Separator separator, std::string_view header, std::string_view l
   const std::vector<std::string_view> names = cells_of(header, separator),
                                       cells = cells_of(line, separator, names.size());
   if (names.size() < 2 || names.size() != cells.size()) return false;
+  for (const auto* const line_cells : {&names, &cells}) {
+    if (std::any_of(line_cells->begin(), line_cells->end(), goes_on_behind_quotes)) return false;
+  }
   for (std::size_t k = 0; separator == Separator::tab && k < cells.size(); ++k) {
     if (names[k].empty() && cells[k].empty()) return false;
   }

@@ -66,7 +66,7 @@ class Result:
     def view(self, **options: Any) -> Any:
         """Shows it in a viewer, where this build has one."""
         try:
-            from . import _view  # type: ignore[attr-defined]
+            from . import _view
         except ImportError:
             raise UsageError("this build of lober has no viewer; plot() draws with matplotlib") from None
         return _view.view(self, **options)

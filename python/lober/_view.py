@@ -15,6 +15,7 @@ import numpy as np
 from . import _lober
 from ._arrays import points_of
 from ._call import Run
+from ._dynamics import Manifold
 from .errors import UsageError
 
 # Runs of results that hold numbers only, by the identity of the result, as long as it lives: copies and pickles have none.
@@ -29,6 +30,8 @@ def remember(result: Any, run: Run) -> Any:
 
 
 def _run_of(result: Any) -> Run | None:
+    if isinstance(result, Manifold):
+        return None  # a curve
     run = getattr(result, "_run", None)
     if isinstance(run, Run):
         return run

@@ -1,6 +1,6 @@
 #include <array>
 
-#include "viewer/scenes/colours.hpp"
+#include "viewer/palette.hpp"
 #include "viewer/scenes/scenes.hpp"
 
 namespace lober::viewer {

@@ -3,7 +3,7 @@
 #include "engine/base/text.hpp"
 #include "engine/operations/escape_choice.hpp"
 #include "lober/base/error.hpp"
-#include "viewer/scenes/colours.hpp"
+#include "viewer/palette.hpp"
 #include "viewer/scenes/scenes.hpp"
 
 namespace lober::viewer {

@@ -3,7 +3,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/text.hpp"
-#include "viewer/scenes/colours.hpp"
+#include "viewer/palette.hpp"
 #include "viewer/scenes/scenes.hpp"
 
 namespace lober::viewer {

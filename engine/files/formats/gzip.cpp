@@ -36,12 +36,14 @@ const Zlib& zlib() {
   return loaded;
 }
 
-// A stream of gzip members that is read piece by piece.
+enum class Wrapping : std::uint8_t { zlib = 15, gzip = 16 + 15 };  // as inflateInit2 has it
+
+// A stream of zlib, or of gzip members, that is read piece by piece.
 class Inflater {
  public:
-  explicit Inflater(std::span<const std::byte> bytes) : rest_(bytes) {
-    constexpr int gzip_only = 16 + 15;
-    if (zlib().inflateInit2_(&stream_, gzip_only, ZLIB_VERSION, static_cast<int>(sizeof stream_)) != Z_OK) {
+  Inflater(std::span<const std::byte> bytes, Wrapping wrapping) : rest_(bytes), wrapping_(wrapping) {
+    if (zlib().inflateInit2_(&stream_, static_cast<int>(wrapping), ZLIB_VERSION, static_cast<int>(sizeof stream_)) !=
+        Z_OK) {
       throw std::bad_alloc();
     }
   }
@@ -74,7 +76,7 @@ class Inflater {
 
   // Another member may follow, and zeros that fill a block of a tape.
   void begin_member() {
-    if (stream_.avail_in == 0 || *stream_.next_in == 0) {
+    if (wrapping_ == Wrapping::zlib || stream_.avail_in == 0 || *stream_.next_in == 0) {
       at_end_ = true;
     } else {
       zlib().inflateReset(&stream_);
@@ -82,6 +84,7 @@ class Inflater {
   }
 
   std::span<const std::byte> rest_;
+  Wrapping wrapping_;
   z_stream stream_{};
   bool at_end_ = false;
 };
@@ -93,7 +96,7 @@ Buffer<std::byte> unzipped(const std::string& name, std::span<const std::byte> b
   const auto fail = [&](const std::string& what) { throw DataError(name + ": is compressed by gzip: " + what); };
   if (!zlib_library.is_present()) fail(zlib_library.reason_it_is_missing());
   Buffer<std::byte> content;
-  Inflater inflater(bytes);
+  Inflater inflater(bytes, Wrapping::gzip);
   try {
     for (std::size_t used = 0;;) {
       if (used > memory_for_unknown_content()) fail("holds more than a quarter of this machine's memory");
@@ -117,6 +120,13 @@ Buffer<std::byte> unzipped(const std::string& name, std::span<const std::byte> b
   return content;
 }
 
+std::optional<Buffer<std::byte>> inflated(std::span<const std::byte> bytes, std::size_t max_size) {
+  if (!zlib_library.is_present()) return std::nullopt;
+  Buffer<std::byte> content(max_size);
+  content.resize(Inflater(bytes, Wrapping::zlib).read(content));
+  return content;
+}
+
 std::optional<std::string> deflated(std::string_view bytes) {
   if (!zlib_library.is_present()) return std::nullopt;
   uLongf size = zlib().compressBound(static_cast<uLong>(bytes.size()));
@@ -129,6 +139,10 @@ std::optional<std::string> deflated(std::string_view bytes) {
   return packed;
 }
 #else
+std::optional<Buffer<std::byte>> inflated(std::span<const std::byte>, std::size_t) {
+  return std::nullopt;
+}
+
 std::optional<std::string> deflated(std::string_view) {
   return std::nullopt;
 }

@@ -18,6 +18,10 @@ namespace lober::detail {
 /// is not there.
 [[nodiscard]] Buffer<std::byte> unzipped(const std::string& name, std::span<const std::byte> bytes);
 
+/// The first `max_size` bytes of what is compressed in the form of zlib (RFC 1950), fewer where it ends before; nothing
+/// where zlib is not there. Throws DataError with a reason for bytes that are damaged or cut off.
+[[nodiscard]] std::optional<Buffer<std::byte>> inflated(std::span<const std::byte> bytes, std::size_t max_size);
+
 /// The bytes compressed, in the form of zlib (RFC 1950); nothing where zlib is not there.
 [[nodiscard]] std::optional<std::string> deflated(std::string_view bytes);
 

@@ -6,6 +6,7 @@
 
 #include "engine/files/byte_order.hpp"
 #include "engine/files/formats/arrays.hpp"
+#include "engine/files/formats/mat_lists.hpp"
 #include "lober/base/error.hpp"
 
 namespace lober::detail {
@@ -53,6 +54,7 @@ void require_sound_version5(std::span<const std::byte> bytes, const std::string&
     if (bytes.size() - at < tag) fail(at);
     const std::size_t length = word(at + 4), padding = word(at) == compressed ? 0 : (8 - length % 8) % 8;
     if (length + padding > bytes.size() - at - tag) fail(at);
+    if (!is_sound_list(word(at), bytes.subspan(at + tag, length), swap)) fail(at);
     at += tag + length + padding;
   }
 }

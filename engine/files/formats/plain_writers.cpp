@@ -6,6 +6,7 @@
 
 #include "engine/base/finite.hpp"
 #include "engine/base/parallel/ordered_pipeline.hpp"
+#include "engine/base/utf8.hpp"
 #include "engine/files/formats/provenance.hpp"
 #include "engine/files/npy_header.hpp"
 #include "engine/files/tecplot.hpp"
@@ -81,8 +82,10 @@ void put_text(OutputFile& file, std::span<const Zone> zones, const WriteOptions&
   file.write(comment_lines(options));
   for (const Zone& zone : zones) {
     if (zones.size() > 1) {
-      std::string title = zone.title;
-      std::replace(title.begin(), title.end(), '\n', ' ');
+      // A line break would end it, and a control character make the file one of bytes.
+      std::string title = as_utf8(zone.title);
+      std::replace_if(
+          title.begin(), title.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, ' ');
       file.write(">" + (title.empty() ? "" : " " + title) + "\n");
     }
     put_points(file, zone.points, ' ');

@@ -100,6 +100,12 @@ TEST(ArrayFiles, ListsOfMatlab) {
                 "complex)");
 }
 
+// A compressed list that is damaged: matio made room for hundreds of millions of elements to list it.
+TEST(ArrayFiles, ListsWithFalseLengthsAreRefused) {
+  EXPECT_EQ(test::error_of([] { (void)read_corpus("damaged_list.mat"); }),
+            test::corpus("damaged_list.mat") + ": is a MAT file that is damaged or cut off at byte 128");
+}
+
 TEST(ArrayFiles, ComplexNumbers) {
   REQUIRE_FORMAT(Format::npz);
   REQUIRE_FORMAT(Format::mat);

@@ -31,6 +31,14 @@ void expect_fault(const std::string& text, const std::string& columns, const std
 
 const std::vector<Point> three{{1, 2}, {3, 4}, {5, -6}};
 
+// A comma parts the header and the line into two cells each, the first of which would go on behind its quotes.
+TEST(Separators, OthersInsideOfQuotedCells) {
+  expect_points(
+      "\"\";\"x, m\";\"place\";\"y\"\n\"0\";\"1\";\"Lake, #1\";\"2\"\n\"1\";\"3\";\"a, "
+      "b\";\"4\"\n\"2\";\"5\";\"\";\"-6\"\n",
+      "\"x, m\",y", three);
+}
+
 TEST(Separators, BlanksInsideOfCells) {
   for (const char separator : {',', ';', '\t'}) {
     const auto with = [&](std::string text) {

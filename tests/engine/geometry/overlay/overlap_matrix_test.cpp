@@ -41,7 +41,9 @@ Curves scattered(std::uint64_t seed, int count, int points) {
 }
 
 std::vector<CurveView> views_of(const Curves& curves) {
-  return {curves.begin(), curves.end()};
+  std::vector<CurveView> views;
+  for (const auto& points : curves) views.push_back({points});
+  return views;
 }
 
 OverlapOptions all_measures() {

@@ -1,9 +1,9 @@
-// The colours of all pictures. Each has one meaning, in whichever picture it appears; lober.plot of Python has the same
-// ones. They are those of Okabe & Ito (Color Universal Design, 2008), which people with any colour vision can tell
-// apart, and keep apart in grey.
+// The colours of all pictures and pages. Each has one meaning, in whichever picture it appears; lober.plot of Python
+// has the same ones. They are those of Okabe & Ito (Color Universal Design, 2008), which people with any colour vision
+// can tell apart, and keep apart in grey.
 #pragma once
 
-namespace lober::cli::palette {
+namespace lober::palette {
 
 inline constexpr const char* ink = "#222222";       ///< axes, texts, dots
 inline constexpr const char* grid = "#d9d9d9";      ///< lines that help to read
@@ -28,4 +28,4 @@ inline constexpr const char* total = ink;        ///< T(n)
 inline constexpr const char* action = stable;    ///< by action
 inline constexpr const char* estimate = common;  ///< to first order
 
-}  // namespace lober::cli::palette
+}  // namespace lober::palette
