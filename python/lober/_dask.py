@@ -134,6 +134,7 @@ class SharedBatch:
             self._look()
             self._hand_out()
             if not self._under_way and not self._waiting and not self._suspects and self._all_handed_out:
+                self._tell()  # also a batch that took no time
                 return
             for task in self._come_back(0.1):
                 self._take(task)
@@ -223,9 +224,14 @@ class SharedBatch:
             return tasks
 
     def _goes_on(self) -> bool:
-        if self._progress is None or time.monotonic() - self._watched < 0.1:
+        if time.monotonic() - self._watched < 0.1:
             return True
         self._watched = time.monotonic()
+        return self._tell()
+
+    def _tell(self) -> bool:
+        if self._progress is None:
+            return True
         done, failed = (self._shared.report[name] for name in ("run", "failed"))
         text = f"{done} of {self._shared.pending} jobs on {len(self._workers.threads)} workers"
         text += f", {failed} failed" if failed else ""

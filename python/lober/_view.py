@@ -73,14 +73,17 @@ def page(*what: Any, title: str = "") -> Page:
     """The page of a result of `overlay`, `regions`, `tangle`, `manifold_tangle`, `transport` or `escape`, or of curves.
 
     A curve is closed where its last point is its first one. Raises UsageError for results that have no page, and for
-    those of `transport` and `escape` that were copied or unpickled.
+    those of `transport` and `escape` that were unpickled.
     """
     if not what:
         raise UsageError("nothing to look at: give a result, or curves")
     if len(what) == 1:
         run = _run_of(what[0])
         if run is not None:
-            return Page(_lober.page_of_run(run.of, title))
+            of = getattr(run, "of", None)
+            if of is None:
+                raise UsageError("a result that was unpickled has no page; compute it again")
+            return Page(_lober.page_of_run(of, title))
     curves = []
     for one in what:
         if _run_of(one) is not None:

@@ -174,7 +174,7 @@ def test_scheduler_started_again(tmp_path):
     cluster = Cluster(tmp_path)
     cluster.start_scheduler()
     try:
-        cluster.start_workers(2)
+        cluster.start_workers(2, preload=SLOW)
         manifest = family(tmp_path, PAIRS, count=60, points=3000)
         whole = expected(manifest)
         restarted = []
@@ -185,7 +185,7 @@ def test_scheduler_started_again(tmp_path):
             cluster.scheduler.wait()
             cluster.end_workers()
             cluster.start_scheduler()
-            cluster.start_workers(2)
+            cluster.start_workers(2, preload=SLOW)
             restarted.append(True)
 
         some = threading.Event()
@@ -319,8 +319,16 @@ def command(*arguments: object, **options) -> subprocess.Popen[str]:
     return subprocess.Popen(line, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)
 
 
+def has_results(store):
+    """Whether a store that is being made has results by now."""
+    try:
+        return store.exists() and len(lober.batch.open(store)) > 0
+    except lober.DataError:
+        return False
+
+
 def test_command(cluster, tmp_path):
-    cluster.start_workers(1)
+    cluster.start_workers(1, preload=SLOW)
     manifest = family(tmp_path, PAIRS)
     whole = expected(manifest)
     run = command(manifest, "--scheduler", cluster.address, "--store", tmp_path / "s", "--quiet", "--memory", "100M")
@@ -344,7 +352,7 @@ def test_command(cluster, tmp_path):
         left.unlink()
     manifest = family(tmp_path, PAIRS, count=90, points=3000, bad=False)
     run = command(manifest, "--scheduler", cluster.address, "--store", tmp_path / "broken", stdin=subprocess.DEVNULL)
-    wait_until(lambda: (tmp_path / "broken").exists() and len(lober.batch.open(tmp_path / "broken")) > 0)
+    wait_until(lambda: has_results(tmp_path / "broken"))
     run.send_signal(signal.SIGINT)
     assert "the same line goes on from there" in run.communicate()[1] and run.returncode == 130
     assert lober.batch.open(tmp_path / "broken").runs[-1].how == "stopped"

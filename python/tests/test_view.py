@@ -1,6 +1,7 @@
 """Pages of results and of curves."""
 
 import copy
+import pickle
 import re
 import webbrowser
 
@@ -32,8 +33,9 @@ def test_pages_of_systems():
     assert "Transport across" in lober.page(transport).text
     grown = lober.grow(lober.system("henon"), side="stable", length=3.0)
     assert '"n":' + str(len(grown.points)) in lober.page(grown).text
-    with pytest.raises(lober.UsageError):
-        lober.page(copy.copy(transport))
+    assert lober.page(copy.copy(transport)).text == lober.page(transport).text
+    with pytest.raises(lober.UsageError, match="compute it again"):
+        lober.page(pickle.loads(pickle.dumps(transport)))
 
 
 def test_view_opens_the_page(tmp_path, monkeypatch):
