@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint32_t matrix = 14, compressed = 15;
 constexpr std::uint32_t cell_class = 1, struct_class = 2, object_class = 3;
 constexpr std::size_t tag_size = 8, max_depth = 32;
-constexpr std::size_t max_ratio = 1032;  // of deflate
+constexpr std::size_t max_ratio = 1032;  // by deflate, of zeros
 
 struct Element {
   std::uint32_t type = 0;
