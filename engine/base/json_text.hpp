@@ -15,7 +15,7 @@ inline std::string json_string(std::string_view text) {
   for (const char c : text) {
     if (c == '"' || c == '\\') {
       quoted += {'\\', c};
-    } else if (static_cast<unsigned char>(c) < 0x20) {
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
       constexpr std::string_view digits = "0123456789abcdef";
       quoted += "\\u00";
       quoted += {digits[static_cast<unsigned char>(c) >> 4], digits[static_cast<unsigned char>(c) & 15]};
