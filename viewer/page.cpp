@@ -5,15 +5,17 @@
 #include <utility>
 #include <vector>
 
+#include "engine/base/append_text.hpp"
 #include "lober/base/version.hpp"
 #include "lober/curve/files.hpp"
 #include "viewer/base64.hpp"
 #include "viewer/embedded.hpp"
 #include "viewer/page_data.hpp"
-#include "viewer/text.hpp"
 
 namespace lober::viewer {
 namespace {
+
+using detail::append_all;
 
 // The form in which a content security policy names a script or a style.
 std::string hash_source(std::string_view text) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "engine/base/append_text.hpp"
 #include "engine/base/json_text.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/files/formats/gzip.hpp"
@@ -11,11 +12,11 @@
 #include "viewer/base64.hpp"
 #include "viewer/runs.hpp"
 #include "viewer/series.hpp"
-#include "viewer/text.hpp"
 
 namespace lober::viewer {
 namespace {
 
+using detail::append_all;
 using detail::json_string;
 
 constexpr std::size_t part_values = 65536;

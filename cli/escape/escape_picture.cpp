@@ -1,15 +1,10 @@
 // The picture of an escape: the curves on the section, those of unstable tubes in the colour of U, of stable ones in
 // that of S.
 
-#include <cmath>
-#include <cstdlib>
-#include <iterator>
-
 #include "cli/escape/escape_report.hpp"
 #include "cli/picture/system_figure.hpp"
 #include "lober/base/error.hpp"
-#include "lober/overlay/overlay.hpp"
-#include "lober/overlay/regions.hpp"
+#include "viewer/scenes/tube_overlaps.hpp"
 
 namespace lober::cli {
 namespace {
@@ -36,29 +31,8 @@ std::vector<Drawn> curves_on_section(const Escape& result) {
   return curves;
 }
 
-using Polygons = std::vector<std::vector<Point>>;
-
-// Cut images cross themselves, and so do curves of a section that tubes meet more than once: what both wind
-// about is common.
-Polygons common_polygons(const ClosedCurve& first, const ClosedCurve& second) {
-  Polygons polygons;
-  const auto add = [&](Polygons piece) {
-    polygons.insert(polygons.end(), std::make_move_iterator(piece.begin()), std::make_move_iterator(piece.end()));
-  };
-  try {
-    const Overlay common = overlay(first, second);
-    for (std::size_t k = 0; k < common.pieces(Pairing::intersection).size(); ++k) {
-      add(outline(common, Pairing::intersection, k));
-    }
-  } catch (const NotSimpleError&) {
-    const RegionPieces pieces = regions(first, second).pieces(FillRule::nonzero, Pairing::intersection);
-    for (std::size_t k = 0; k < pieces.size(); ++k) add(pieces.outline(k));
-  }
-  return polygons;
-}
-
 void add_overlap(Layer& layer, const ClosedCurve& first, const ClosedCurve& second) {
-  for (std::vector<Point>& polygon : common_polygons(first, second)) {
+  for (std::vector<Point>& polygon : viewer::common_part(first, second)) {
     layer.lines.push_back(polyline(std::move(polygon), true));
   }
 }
@@ -69,17 +43,8 @@ Layer overlaps_layer(const Escape& result) {
   layer.opacity = 0.6;
   for (const EscapeFraction& row : result.table) {
     if (!row.is_known() || row.fraction == 0) continue;
-    const auto& forward = result.bottlenecks[row.entry].entry;
-    const auto& backward = result.bottlenecks[row.exit].exit;
-    int best = -1;
-    for (int a = 0; a <= row.iterates; ++a) {
-      const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(row.iterates - a);
-      if (i >= forward.size() || j >= backward.size() || forward[i].direction != result.section.direction) continue;
-      if (best < 0 || std::abs(2 * a - row.iterates) < std::abs(2 * best - row.iterates)) best = a;
-    }
-    if (best >= 0) {
-      add_overlap(layer, forward[static_cast<std::size_t>(best)].view(),
-                  backward[static_cast<std::size_t>(row.iterates - best)].view());
+    if (const auto split = viewer::split_for_picture(result, row)) {
+      add_overlap(layer, split->from->view(), split->to->view());
     }
   }
   if (result.table.empty()) {

@@ -1,10 +1,10 @@
-#include <cstdlib>
+#include <optional>
 
 #include "engine/base/text.hpp"
 #include "engine/operations/escape_choice.hpp"
-#include "lober/base/error.hpp"
 #include "viewer/palette.hpp"
 #include "viewer/scenes/scenes.hpp"
+#include "viewer/scenes/tube_overlaps.hpp"
 
 namespace lober::viewer {
 namespace {
@@ -31,48 +31,14 @@ Layer tubes_layer(const SystemEscape& found, const std::vector<std::string>& nam
   return layer;
 }
 
-// Cut images cross themselves, and so do curves of a section that tubes meet more than once: what both wind about is
-// common.
-Polygons common_part(const ClosedCurve& first, const ClosedCurve& second) {
-  Polygons polygons;
-  const auto add = [&](Polygons piece) {
-    for (std::vector<Point>& ring : piece) polygons.push_back(std::move(ring));
-  };
-  try {
-    const Overlay common = overlay(first, second);
-    for (std::size_t k = 0; k < common.pieces(Pairing::intersection).size(); ++k) {
-      add(outline(common, Pairing::intersection, k));
-    }
-  } catch (const NotSimpleError&) {
-    const RegionPieces pieces = regions(first, second).pieces(FillRule::nonzero, Pairing::intersection);
-    for (std::size_t k = 0; k < pieces.size(); ++k) add(pieces.outline(k));
-  }
-  return polygons;
-}
-
-// The row's split with a curve of the entrance on this side of the section, as even as can be; -1 if there is none.
-int split_of(const SystemEscape& found, const EscapeFraction& row) {
-  const auto& forward = found.bottlenecks[row.entry].entry;
-  const auto& backward = found.bottlenecks[row.exit].exit;
-  int best = -1;
-  for (int a = 0; a <= row.iterates; ++a) {
-    const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(row.iterates - a);
-    if (i >= forward.size() || j >= backward.size() || forward[i].direction != found.section.direction) continue;
-    if (best < 0 || std::abs(2 * a - row.iterates) < std::abs(2 * best - row.iterates)) best = a;
-  }
-  return best;
-}
-
 Layer fractions_layer(const SystemEscape& found, const std::vector<std::string>& names) {
   Layer layer{.kind = Layer::Kind::areas, .name = "escape by crossings", .one = "part", .colour = palette::common};
   Column fraction{"fraction", {}, {}}, n{"crossings", {}, {}};
   for (const EscapeFraction& row : found.table) {
     if (!row.is_known() || row.fraction == 0) continue;
-    const int a = split_of(found, row);
-    if (a < 0) continue;
-    const TubeCurve& from = found.bottlenecks[row.entry].entry[static_cast<std::size_t>(a)];
-    const TubeCurve& to = found.bottlenecks[row.exit].exit[static_cast<std::size_t>(row.iterates - a)];
-    layer.areas.push_back(common_part(from.view(), to.view()));
+    const std::optional<TubePair> split = split_for_picture(found, row);
+    if (!split) continue;
+    layer.areas.push_back(common_part(split->from->view(), split->to->view()));
     layer.names.push_back(names[row.entry] + " to " + names[row.exit] + ", n = " + std::to_string(row.crossings));
     fraction.values.push_back(row.fraction);
     fraction.bar.push_back(row.error);
