@@ -56,7 +56,7 @@ PARAMETER = re.compile(r"^(\*{0,2}[A-Za-z_]\w*): (.*)$")
 
 
 def as_rst(lines):
-    """Comments of the package as RST: `code`, lists of `name: meaning`, indented lines as code."""
+    """Comments of the package as RST: `code`, lists of `name: meaning` and of points, indented lines as code."""
     out = []
     kind = "text"  # or "list", "code"
     for line in lines:
@@ -67,6 +67,8 @@ def as_rst(lines):
             kind = "text"
         if found and (not before.strip() or kind == "list"):
             line = f":{found[1]}: {found[2]}"
+            kind = "list"
+        elif line.startswith("- ") and (not before.strip() or kind == "list"):
             kind = "list"
         elif line.startswith(" ") and kind == "text":
             out += ["", ".. code-block:: python", ""]

@@ -75,7 +75,7 @@ struct OverlapMatrix {
   };
   /// A measure of all entries.
   struct Numbers {
-    OverlapMeasure measure;
+    OverlapMeasure measure;      ///< which number
     std::vector<double> values;  ///< one for each entry; NaN for a pair that failed
     std::vector<double> bounds;  ///< bounds on |value - exact area of the polygons|; none for counts
   };
