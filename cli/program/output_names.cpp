@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <span>
-#include <utility>
+#include <string_view>
 
 #include "engine/files/formats/format_table.hpp"
 #include "lober/base/error.hpp"
@@ -15,12 +16,7 @@ namespace {
 
 using Names = std::span<const std::string_view>;
 
-constexpr std::array<std::pair<std::string_view, PointFormat>, 6> point_endings{{{".npy", PointFormat::npy},
-                                                                                 {".csv", PointFormat::csv},
-                                                                                 {".txt", PointFormat::text},
-                                                                                 {".dat", PointFormat::tecplot},
-                                                                                 {".raw", PointFormat::raw},
-                                                                                 {".f64", PointFormat::raw}}};
+constexpr std::array table_formats{Format::npy, Format::csv, Format::text, Format::tecplot, Format::raw};
 
 constexpr std::array<std::string_view, 2> json_options{"--json", "--graph"};
 constexpr std::array<std::string_view, 3> picture_options{"--svg", "--picture", "--fluxes"};
@@ -120,14 +116,18 @@ bool takes_several(const std::string& path, const std::string& named) {
   return detail::entry_of(curve_format(path, named, false)).holds_several;
 }
 
-PointFormat format_of(const std::string& path) {
-  if (path == "-") return PointFormat::text;
-  const std::string ending = ending_of(path);
-  for (const auto& [known, format] : point_endings) {
-    if (ending == known) return format;
+Format table_format(const std::string& path) {
+  if (path == "-") return Format::text;
+  const std::optional<Format> format = format_of_name(path);
+  if (format && std::find(table_formats.begin(), table_formats.end(), *format) != table_formats.end()) return *format;
+  std::string message = path + ": the ending does not name a format of tables of numbers; use ";
+  for (const Format known : table_formats) {
+    const std::string_view suffixes = detail::entry_of(known).suffixes;
+    if (known != table_formats.front()) message += known == table_formats.back() ? " or " : ", ";
+    message += suffixes.substr(0, suffixes.find(' '));
+    if (known == Format::tecplot) message += " (Tecplot)";
   }
-  throw UsageError(path +
-                   ": the ending does not name a format of points; use .npy, .csv, .txt, .dat (Tecplot) or .raw");
+  throw UsageError(message);
 }
 
 void require_fitting_name(std::string_view option, const std::string& path, const std::string& format) {

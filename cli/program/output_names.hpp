@@ -19,12 +19,9 @@ namespace lober::cli {
 [[nodiscard]] std::vector<std::string> written_formats();
 [[nodiscard]] std::string written_endings();
 
-/// Formats of tables of numbers; "-" takes text.
-enum class PointFormat : std::uint8_t { npy, csv, text, tecplot, raw };
-
-/// The format that the ending of the path names: .npy, .csv, .txt, .dat (Tecplot) or .raw, in either case. Throws
+/// The format of a table of numbers, by the ending of its path: npy, csv, text, tecplot or raw; text for "-". Throws
 /// UsageError for any other.
-[[nodiscard]] PointFormat format_of(const std::string& path);
+[[nodiscard]] Format table_format(const std::string& path);
 
 /// Formats of pictures.
 enum class PictureFormat : std::uint8_t { svg, pdf, png };

@@ -6,6 +6,7 @@
 #include "cli/report/text.hpp"
 #include "engine/base/output_file.hpp"
 #include "engine/base/parallel/ordered_pipeline.hpp"
+#include "engine/files/formats/plain_writers.hpp"
 #include "engine/files/npy_header.hpp"
 
 namespace lober::cli {
@@ -29,21 +30,21 @@ std::string joined(const std::vector<std::string>& names, std::string_view befor
 }
 
 // The line, or the bytes, before the first row.
-std::string head_of(const Columns& columns, PointFormat format) {
+std::string head_of(const Columns& columns, Format format) {
   switch (format) {
-    case PointFormat::csv:
+    case Format::csv:
       return joined(columns.names, "", "", ",") + "\n";
-    case PointFormat::text:
+    case Format::text:
       return "# " + joined(columns.names, "", "", " ") + "\n";
-    case PointFormat::tecplot:
+    case Format::tecplot:
       return "VARIABLES=" + joined(columns.names, "\"", "\"", "") + "\n";
-    case PointFormat::npy: {
+    case Format::npy: {
       std::vector<std::size_t> shape = columns.shape.empty() ? std::vector{columns.rows} : columns.shape;
       shape.push_back(columns.names.size());
       return detail::npy_head(shape);
     }
-    case PointFormat::raw:
-      break;
+    default:
+      break;  // raw
   }
   return {};
 }
@@ -59,10 +60,11 @@ void format_rows(Block& block, std::size_t width, char separator) {
 }  // namespace
 
 void write_columns(const std::string& path, const Columns& columns) {
-  const PointFormat format = format_of(path);
+  const Format format = table_format(path);
   const std::size_t width = columns.names.size();
-  const bool binary = format == PointFormat::npy || format == PointFormat::raw;
-  const char separator = format == PointFormat::csv ? ',' : format == PointFormat::tecplot ? '\t' : ' ';
+  const bool binary = format == Format::npy || format == Format::raw;
+  const bool tabs = format == Format::tecplot || detail::is_parted_by_tabs(path);
+  const char separator = format == Format::csv ? ',' : tabs ? '\t' : ' ';
   detail::OutputFile file(path);
   file.write(head_of(columns, format));
   std::size_t next = 0;

@@ -72,13 +72,13 @@ std::uint32_t Density::largest() const {
 }
 
 void OrbitFile::require_name(const std::string& path) {
-  const PointFormat format = path == "-" ? PointFormat::csv : format_of(path);
-  if (format == PointFormat::npy || format == PointFormat::csv) return;
+  const Format format = path == "-" ? Format::csv : table_format(path);
+  if (format == Format::npy || format == Format::csv) return;
   throw UsageError("-o " + path + ": orbits are written as .npy or .csv; use one of these endings");
 }
 
 OrbitFile::OrbitFile(const std::string& path, std::size_t orbits, std::size_t iterates)
-    : file_(path), each_(iterates + 1), npy_(path != "-" && format_of(path) == PointFormat::npy) {
+    : file_(path), each_(iterates + 1), npy_(path != "-" && table_format(path) == Format::npy) {
   file_.write(npy_ ? detail::npy_head(std::array{orbits, each_, std::size_t{2}}) : "orbit,iterate,x,y\n");
 }
 

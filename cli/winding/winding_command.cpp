@@ -88,7 +88,7 @@ void check(const WindingRequest& request) {
     throw UsageError("--box: the corners have to have X0 < X1 and Y0 < Y1");
   }
   if (!request.picture.data.empty() && request.grid.empty()) throw UsageError("--data needs --grid");
-  if (!request.output.empty()) (void)format_of(request.output);
+  if (!request.output.empty()) (void)table_format(request.output);
 }
 
 std::vector<std::string> inputs_of(const WindingRequest& request) {

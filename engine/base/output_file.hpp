@@ -25,6 +25,7 @@ class OutputFile {
 
   void write(std::string_view content);
   void commit();
+  [[nodiscard]] const std::string& path() const { return path_; }
 
  private:
   void require_no_input(const struct ::stat& status);

@@ -85,6 +85,25 @@ TEST_F(WindingProgram, ReadsPointsOfColumnsAndZones) {
   EXPECT_EQ(run({"winding", "square", "--at", "drifters.csv:x,y", "--json", "drifters.csv"}).status, 2);
 }
 
+// Tables have the separator that their ending promises.
+TEST_F(WindingProgram, WritesTheGridAsItsEndingSays) {
+  write_curve("square", box(0, 0, 2, 2));
+  const auto separator = [&](const std::string& file) {
+    const Outcome outcome = run({"winding", "square", "--grid", "2,2", "-o", file});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const std::string text = read(file);
+    const std::size_t begin = text.find('\n') + 1;
+    return text.at(text.find_first_of(", \t\n", begin));
+  };
+  EXPECT_EQ(separator("a.csv"), ',');
+  EXPECT_EQ(separator("a.txt"), ' ');
+  EXPECT_EQ(separator("a.TSV"), '\t');
+  EXPECT_EQ(separator("a.tec"), '\t');
+  const Outcome wrong = run({"winding", "square", "--grid", "2,2", "-o", "a.geojson"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_NE(wrong.err.find("use .npy, .csv, .txt, .dat (Tecplot) or .f64"), std::string::npos) << wrong.err;
+}
+
 TEST_F(WindingProgram, TellsThePrincipalValueOnTheCurve) {
   write_curve("square", box(0, 0, 2, 2));
   const Json found = winding({"square", "--at", "1,0", "2,2", "1,1", "-1,1"});

@@ -57,6 +57,15 @@ void put_points(OutputFile& file, std::span<const Point> points, char separator,
       [&](const TextBlock& block) { file.write(block.text); });
 }
 
+bool is_parted_by_tabs(std::string_view path) {
+  constexpr std::string_view ending = ".tsv";
+  if (path.size() < ending.size()) return false;
+  path.remove_prefix(path.size() - ending.size());
+  return std::equal(path.begin(), path.end(), ending.begin(), [](char c, char lower) {
+    return (c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c) == lower;
+  });
+}
+
 std::string_view as_bytes(std::span<const Point> points) {
   return {reinterpret_cast<const char*>(points.data()), points.size_bytes()};
 }
@@ -79,6 +88,7 @@ void put_tecplot(OutputFile& file, std::span<const Zone> zones, const WriteOptio
 }
 
 void put_text(OutputFile& file, std::span<const Zone> zones, const WriteOptions& options) {
+  const char separator = is_parted_by_tabs(file.path()) ? '\t' : ' ';
   file.write(comment_lines(options));
   for (const Zone& zone : zones) {
     if (zones.size() > 1) {
@@ -88,7 +98,7 @@ void put_text(OutputFile& file, std::span<const Zone> zones, const WriteOptions&
           title.begin(), title.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, ' ');
       file.write(">" + (title.empty() ? "" : " " + title) + "\n");
     }
-    put_points(file, zone.points, ' ');
+    put_points(file, zone.points, separator);
   }
 }
 

@@ -18,6 +18,9 @@ void put_points(OutputFile& file, std::span<const Point> points, char separator,
 void put_zones(OutputFile& file, std::span<const Zone> zones, ZoneLines lines);
 [[nodiscard]] std::string_view as_bytes(std::span<const Point> points);
 
+/// Whether the name ends in .tsv, so that columns are parted by tabs and not by blanks.
+[[nodiscard]] bool is_parted_by_tabs(std::string_view path);
+
 /// Several curves are parted by lines "> TITLE", as GMT has them.
 void put_text(OutputFile& file, std::span<const Zone> zones, const WriteOptions& options);
 /// Several curves are told apart by a third column, the number of the curve.

@@ -226,6 +226,14 @@ TEST_F(WrittenFormats, SameBytesEachTime) {
   }
 }
 
+TEST_F(WrittenFormats, TabsWhereTheEndingPromisesThem) {
+  for (const auto& [name, line] : {std::pair{"a.tsv", "0\t0"}, {"a.TSV", "0\t0"}, {"a.txt", "0 0"}, {"tsv", "0 0"}}) {
+    write_curves(path(name), std::vector<Zone>{{"", first}}, {.format = Format::text});
+    EXPECT_TRUE(content(path(name)).starts_with(line)) << name << '\n' << content(path(name));
+    expect_points(read_curve_file(path(name)).zones.at(0), first);
+  }
+}
+
 TEST_F(WrittenFormats, CurvesWithoutPointsAreEmptyInWkt) {
   for (const bool closed : {false, true}) {
     write_curves(path("e.wkt"), std::vector<Zone>{{"a", {}}, {"b", first}}, {.closed = closed});
