@@ -43,6 +43,11 @@ inline bool meet(const Box& a, const Box& b) {
   return a.lane[0] <= -b.lane[2] && a.lane[1] <= -b.lane[3] && a.lane[2] <= -b.lane[0] && a.lane[3] <= -b.lane[1];
 }
 
+/// Whether it holds one point alone: then so do the segments in it, and repeated vertices carry none.
+inline bool is_point(const Box& box) {
+  return box.lane[0] == -box.lane[2] && box.lane[1] == -box.lane[3];
+}
+
 inline Box box_of(const Rectangle& rectangle) {
   return {{rectangle.min_x, rectangle.min_y, -rectangle.max_x, -rectangle.max_y}};
 }

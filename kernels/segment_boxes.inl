@@ -142,6 +142,7 @@ inline std::size_t find_meeting(const SegmentBoxes& a, std::uint32_t a_begin, co
   for (std::uint32_t candidates = meeting_slab(a, b); candidates != 0; candidates &= candidates - 1) {
     const auto j = static_cast<std::uint32_t>(__builtin_ctz(candidates));
     const Box box = Box::of(b[j], b[j + 1]);
+    if (is_point(box)) continue;  // runs of repeated vertices would meet each other
     if (box.min_x() > max_x || box.max_x() < min_x || box.min_y() > max_y || box.max_y() < min_y) continue;
     std::uint32_t met = meeting_bits(a, box.min_x(), box.max_x(), box.min_y(), box.max_y());
     for (; met != 0; met &= met - 1) {

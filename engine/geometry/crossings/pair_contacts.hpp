@@ -26,6 +26,7 @@ struct PairContacts {
 [[nodiscard]] inline PairContacts contacts_of(const Segment& first, const Segment& second, PredicateCounts& counts) {
   const auto [a, b] = first;
   const auto [c, d] = second;
+  if (a == b || c == d) return {};
   const int side_c = orient2d(a, b, c, counts), side_d = orient2d(a, b, d, counts);
   if (side_c * side_d > 0) return {};
   const int side_a = orient2d(c, d, a, counts), side_b = orient2d(c, d, b, counts);
@@ -35,7 +36,6 @@ struct PairContacts {
     found.rho = side_d;
     return found;
   }
-  if (a == b || c == d) return {};
   found.one_line = side_a == 0 && side_b == 0;
   if (a == c) {
     found.coincide = true;

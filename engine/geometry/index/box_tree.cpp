@@ -1,6 +1,7 @@
 #include "engine/geometry/index/box_tree.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "engine/base/parallel/parallel.hpp"
@@ -36,6 +37,7 @@ BoxTree::BoxTree(CurveView curve) : curve_(curve) {
     tail_[i] = curve_.points[vertex == curve_.points.size() ? 0 : vertex];
   }
 
+  std::atomic<bool> stalls{false};
   for_each_block(leaf_count, std::size_t{1} << block_levels, [&](std::size_t begin, std::size_t end) {
     const std::size_t whole = std::min<std::size_t>(end, leaf_count - 1);
     if (whole > begin) {
@@ -49,7 +51,9 @@ BoxTree::BoxTree(CurveView curve) : curve_(curve) {
     for (std::uint32_t level = 1; level <= block_levels && level < levels_; ++level) {
       build_upper(level, begin >> level, ((end - 1) >> level) + 1);
     }
+    if (stalls_between(begin, end)) stalls.store(true, std::memory_order_relaxed);
   });
+  stalls_ = stalls;
   for (std::uint32_t level = block_levels + 1; level < levels_; ++level) build_upper(level, 0, level_size_[level]);
 }
 
@@ -99,6 +103,14 @@ void BoxTree::build_upper(std::uint32_t level, std::size_t begin, std::size_t en
     here[pairs] = below[2 * pairs];
     flags_here[pairs] = flags_below[2 * pairs];
   }
+}
+
+// A run of points that fills a node of level 2. Shorter ones do no harm.
+bool BoxTree::stalls_between(std::size_t begin, std::size_t end) const {
+  constexpr std::uint32_t level = 2;
+  if (levels_ <= level) return false;
+  const Box* const boxes = &boxes_[level_begin_[level]];
+  return std::any_of(boxes + (begin >> level), boxes + ((end - 1) >> level) + 1, is_point);
 }
 
 bool BoxTree::sums_finite() const {

@@ -31,6 +31,9 @@ class BoxTree {
   [[nodiscard]] const Box& box(TreeNode node) const { return boxes_[level_begin_[node.level] + node.index]; }
   [[nodiscard]] BoxPyramid pyramid() const { return {boxes_.data(), level_begin_.data(), level_size_.data()}; }
   [[nodiscard]] const Box& box() const { return box(root()); }
+  /// Whether the curve stays in one point for so long that whole leaves do. Searches leave these out: each would meet
+  /// each, and there is nothing to find.
+  [[nodiscard]] bool stalls() const { return stalls_; }
   /// MonotoneFlags of the whole node.
   [[nodiscard]] std::uint8_t flags(TreeNode node) const { return flags_[level_begin_[node.level] + node.index]; }
   [[nodiscard]] const Box* leaf_boxes() const { return boxes_.data(); }
@@ -56,8 +59,10 @@ class BoxTree {
  private:
   void sum_chunks(std::size_t begin, std::size_t end);
   void build_upper(std::uint32_t level, std::size_t begin, std::size_t end);
+  [[nodiscard]] bool stalls_between(std::size_t begin, std::size_t end) const;
 
   CurveView curve_;
+  bool stalls_ = false;
   std::uint32_t levels_ = 0;
   std::array<std::uint32_t, 32> level_size_{};
   std::array<std::uint32_t, 32> level_begin_{};

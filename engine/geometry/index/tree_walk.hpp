@@ -30,7 +30,8 @@ class TreeWalk {
   };
 
   /// With `self` the two trees are one.
-  TreeWalk(const BoxTree& first, const BoxTree& second, bool self) : first_(first), second_(second), self_(self) {}
+  TreeWalk(const BoxTree& first, const BoxTree& second, bool self)
+      : first_(first), second_(second), self_(self), stalls_(first.stalls() || second.stalls()) {}
 
   /// Where the walk starts: the root of the first tree with what it meets.
   [[nodiscard]] std::vector<TreeNode> start(SearchCounts& counts) const {
@@ -135,11 +136,20 @@ class TreeWalk {
     count = static_cast<std::size_t>(end - list.begin());
   }
 
+  void drop_points(TreeNode node, Buffer<TreeNode>& list, std::size_t& count) const {
+    const auto end = is_point(first_.box(node))
+                         ? list.begin()
+                         : std::remove_if(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count),
+                                          [&](TreeNode candidate) { return is_point(second_.box(candidate)); });
+    count = static_cast<std::size_t>(end - list.begin());
+  }
+
   // Replaces nodes of the second tree that are larger than `node` of the first by those below them that meet it; at a
   // leaf, down to the leaves.
   void split_to_size(TreeNode node, Buffer<TreeNode>& list, std::size_t& count, SearchCounts& counts) const {
     const Box& box = first_.box(node);
     const double largest = node.level == 0 ? -1 : box.extent();
+    if (stalls_) drop_points(node, list, count);
     thread_local Buffer<TreeNode> waiting, split;
     std::size_t kept = 0, waiting_count = count;
     ensure_size(waiting, count);
@@ -154,6 +164,7 @@ class TreeWalk {
       waiting.swap(split);
       waiting_count = refined.split;
       if (self_) drop_apart(node, waiting, waiting_count);
+      if (stalls_) drop_points(node, waiting, waiting_count);
       drop_beside(node, waiting, waiting_count, counts);
     }
     count = kept;
@@ -210,6 +221,7 @@ class TreeWalk {
   const BoxTree& first_;
   const BoxTree& second_;
   bool self_;
+  bool stalls_;
   const NodeFrames* frames_ = nullptr;
   const NodeStrips* strips1_ = nullptr;
   const NodeStrips* strips2_ = nullptr;

@@ -214,8 +214,11 @@ NearLeaves::NearLeaves(const BoxTree& tree, SearchCounts& counts) {
   for_each_block(tree.leaves(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t leaf = begin; leaf < end; ++leaf) leaf_strip(tree.leaf_points(leaf), strips[leaf]);
   });
-  std::vector<std::uint32_t> leaves(tree.leaves());
-  for (std::size_t k = 0; k < leaves.size(); ++k) leaves[k] = static_cast<std::uint32_t>(k);
+  std::vector<std::uint32_t> leaves;
+  leaves.reserve(tree.leaves());
+  for (std::uint32_t k = 0; k < tree.leaves(); ++k) {
+    if (!tree.stalls() || !is_point(tree.leaf_boxes()[k])) leaves.push_back(k);
+  }
   const std::optional<std::vector<LeafPair>> pairs = Window(tree, strips, tree.box(), std::move(leaves)).search(counts);
   is_complete_ = pairs.has_value();
   if (!is_complete_) return;

@@ -39,6 +39,7 @@ class SmoothCurve {
     }
     window[3] = vertex(k);
     window[4] = vertex(k + 1);
+    if (window[3] == window[4]) return {};  // as fit_smooth_segment; its neighbours may be far away
     for (std::int64_t j = 2, at = k; j >= 0; --j) window[static_cast<std::size_t>(j)] = next_distinct(at, -1);
     for (std::int64_t j = 5, at = k + 1; j < 8; ++j) window[static_cast<std::size_t>(j)] = next_distinct(at, 1);
     return fit_smooth_segment(window);

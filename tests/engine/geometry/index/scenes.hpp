@@ -132,6 +132,23 @@ inline Scene repeated_vertices(Random& random, std::size_t size) {
   }
   return result;
 }
+/// Curves that stay in one point for hundreds of vertices, some of them both in the same one.
+inline Scene stalls(Random& random, std::size_t size) {
+  Scene result = walks(random, size);
+  const Point both = result.first.points[0];
+  for (Curve* curve : {&result.first, &result.second}) {
+    std::vector<Point>& points = curve->points;
+    for (std::size_t k = 0; k < size;) {
+      const std::size_t end = std::min<std::size_t>(size, k + 1 + random.index(random.chance(0.5) ? 400 : 20));
+      const Point at = random.chance(0.3) ? both : points[k];
+      const bool stays = random.chance(0.5);
+      for (; k < end; ++k) {
+        if (stays) points[k] = at;
+      }
+    }
+  }
+  return result;
+}
 inline Scene lengths_of_all_sizes(Random& random, std::size_t size) {
   Scene result;
   for (Curve* curve : {&result.first, &result.second}) {
@@ -218,6 +235,7 @@ inline const std::vector<SceneKind>& scene_kinds() {
       {"combs", scene::combs, 150},
       {"comb_and_circle", scene::comb_and_circle, 300},
       {"repeated_vertices", scene::repeated_vertices, 3000},
+      {"stalls", scene::stalls, 3000},
       {"lengths_of_all_sizes", scene::lengths_of_all_sizes, 300},
       {"far_from_origin", scene::far_from_origin, 3000},
       {"huge", scene::huge, 300},

@@ -94,6 +94,30 @@ TEST(SelfSearchOfMonotoneRuns, SkipsASimpleConvexCurve) {
   EXPECT_LT(counts.pairs_proposed, 3000U) << "only near the turns in x and in y that no leaf border hits";
 }
 
+// A drifter that lies still for a week: each of its segments would meet each.
+TEST(SearchOfStalls, CostsWhatTheCurveWithoutThemCosts) {
+  Curve plain = scene::circle(20000, {0, 0}, 1), stalled = plain, across = scene::circle(20000, {0, 0}, 1);
+  for (Point& point : across.points) point.x += plain.points[700].x - across.points[15000].x;
+  for (Point& point : across.points) point.y += plain.points[700].y - across.points[15000].y;
+  across.points[15000] = plain.points[700];
+  Curve both = across;
+  stalled.points.insert(stalled.points.begin() + 700, 200000, plain.points[700]);
+  both.points.insert(both.points.begin() + 15000, 200000, across.points[15000]);
+  const auto cost = [](const Curve& first, const Curve& second) {
+    Recorder recorder(first, second);
+    const IndexedCurve one(first), other(second);
+    SearchCounts counts = find_pairs(one, other, IndexKind::tree, recorder);
+    Recorder alone(first, first);
+    counts += find_self_pairs(one, alone);
+    return counts.boxes_tested + counts.pairs_proposed;
+  };
+  const std::uint64_t usual = cost(plain, across) + 4 * stalled.points.size() / leaf_size;
+  EXPECT_LT(cost(stalled, across), 2 * usual);
+  EXPECT_LT(cost(across, stalled), 2 * usual);
+  EXPECT_LT(cost(stalled, both), 2 * usual);
+  EXPECT_LT(cost(Curve{std::vector<Point>(5000, Point{1, 1}), true, ""}, both), 2 * usual);
+}
+
 TEST(SelfSearchOfMonotoneRuns, FindsNeighboursThatFoldBack) {
   const Curve spike{{{0, 0}, {2, 0}, {1, 0}, {1, 1}}, true, ""};
   Recorder recorder(spike, spike);

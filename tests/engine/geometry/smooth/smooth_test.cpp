@@ -222,6 +222,10 @@ TEST(Smooth, RepeatedVerticesDoNotMatter) {
   Points repeated;
   for (std::size_t k = 0; k < c1.size(); ++k) repeated.insert(repeated.end(), 1 + k % 3, c1[k]);
   expect_near(smooth_of(repeated, c2).areas, smooth_of(c1, c2).areas, 1e-15);
+  // A stall takes no longer than its points: each of its segments looking for neighbours took minutes.
+  Points stalled = c1;
+  stalled.insert(stalled.begin() + 77, 400000, c1[77]);
+  expect_near(smooth_of(stalled, c2).areas, smooth_of(c1, c2).areas, 1e-15);
 }
 
 TEST(Smooth, BunchedVerticesHaveAnErrorBar) {
