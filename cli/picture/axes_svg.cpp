@@ -10,6 +10,23 @@ namespace {
 
 constexpr double tick_length = 2.4;
 
+// With at most `max_count` + 1 ticks, or one for each category.
+Ticks ticks_of(double low, double high, int max_count, const Axis& axis) {
+  if (axis.categories.empty()) {
+    Ticks ticks = ticks_between(low, high, max_count, axis.whole_numbers || axis.exponents);
+    if (axis.exponents) {
+      for (Tick& tick : ticks.list) tick.text = "10^{" + tick.text + "}";
+    }
+    return ticks;
+  }
+  Ticks ticks;
+  for (std::size_t k = 0; k < axis.categories.size(); ++k) {
+    const double fraction = (static_cast<double>(k) - low) / (high - low);
+    if (fraction >= 0 && fraction <= 1) ticks.list.push_back({fraction, axis.categories[k]});
+  }
+  return ticks;
+}
+
 }  // namespace
 
 std::string axis_text(const Axis& axis, const Ticks& ticks) {
@@ -32,7 +49,7 @@ double widest(const Ticks& ticks, double font_size) {
 
 Ticks ticks_across(const Rectangle& window, double width, double font_size, const Axis& axis) {
   for (int count = 8;; --count) {
-    Ticks ticks = ticks_between(window.min_x, window.max_x, count, axis.whole_numbers);
+    Ticks ticks = ticks_of(window.min_x, window.max_x, count, axis);
     const auto texts = static_cast<double>(ticks.list.size());
     const double step = ticks.list.size() > 1 ? (ticks.list[1].fraction - ticks.list[0].fraction) * width : width;
     if (count <= 1 || texts <= 1 || step >= widest(ticks, font_size) + font_size) return ticks;
@@ -41,7 +58,7 @@ Ticks ticks_across(const Rectangle& window, double width, double font_size, cons
 
 Ticks ticks_up(const Rectangle& window, double height, double font_size, const Axis& axis) {
   const int count = std::clamp(static_cast<int>(height / (2.6 * font_size)), 1, 8);
-  return ticks_between(window.min_y, window.max_y, count, axis.whole_numbers);
+  return ticks_of(window.min_y, window.max_y, count, axis);
 }
 
 void add_axes(std::string& svg, const View& view, const Ticks& across, const Ticks& up, double font_size) {

@@ -82,8 +82,10 @@ struct FigureLabel {
 
 struct Axis {
   std::string name;
-  std::string unit{};          ///< empty: none
-  bool whole_numbers = false;  ///< no ticks between them
+  std::string unit{};                     ///< empty: none
+  bool whole_numbers = false;             ///< no ticks between them
+  bool exponents = false;                 ///< values are powers to which ten is raised: ticks say 10^k
+  std::vector<std::string> categories{};  ///< names for 0, 1, ... in place of numbers
 };
 
 struct Figure {

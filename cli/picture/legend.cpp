@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "cli/picture/path_writer.hpp"
 #include "cli/picture/rich_text.hpp"
 #include "cli/report/text.hpp"
 
@@ -11,6 +13,16 @@ namespace {
 
 constexpr double font_size = 7, line_step = 8.6, row_gap = 1.4, sample_width = 14, text_indent = 18, column_gap = 10;
 constexpr std::size_t max_columns = 5;
+
+double row_height(std::size_t lines) {
+  return static_cast<double>(lines) * line_step + row_gap;
+}
+
+double entry_width(const Layer* layer, const std::vector<std::string>& lines) {
+  double widest_line = 0;
+  for (const std::string& line : lines) widest_line = std::max(widest_line, text_width(line, font_size));
+  return widest_line + (layer == nullptr ? 0 : text_indent);
+}
 
 void add_sample(std::string& svg, const Layer& layer) {
   switch (layer.kind) {
@@ -35,6 +47,22 @@ void add_sample(std::string& svg, const Layer& layer) {
       }
       add_dot(svg, layer, sample_width / 2, 0, 1);
   }
+}
+
+// Whether a window shows any of a layer. Layers of nothing but a legend are for others that they explain.
+bool is_seen(const Layer& layer, const Rectangle& window) {
+  if (layer.lines.empty() && layer.points.empty() && layer.boxes.empty()) return true;
+  const View view(window, {0, 0, 100, 100});
+  const auto holds = [&](const Polyline& line) {
+    return layer.kind == LayerKind::fill ? !clipped_polygon(view, line.points(), 0).empty()
+                                         : !clipped_line(view, line.points(), line.closed, 0).empty();
+  };
+  const auto overlaps = [&](const Rectangle& box) {
+    return box.min_x < window.max_x && box.max_x > window.min_x && box.min_y < window.max_y && box.max_y > window.min_y;
+  };
+  return std::any_of(layer.lines.begin(), layer.lines.end(), holds) ||
+         std::any_of(layer.points.begin(), layer.points.end(), [&](Point point) { return view.contains(point); }) ||
+         std::any_of(layer.boxes.begin(), layer.boxes.end(), overlaps);
 }
 
 }  // namespace
@@ -67,7 +95,7 @@ void add_dot(std::string& svg, const Layer& layer, double x, double y, double sc
   }
 }
 
-Legend::Legend(const Figure& figure, double width) {
+Legend::Legend(const Figure& figure, double width, const Rectangle* window) {
   const double text_room = width - text_indent;
   const auto add = [&](const Layer* layer, const std::string& text) {
     if (text.empty()) return;
@@ -77,49 +105,69 @@ Legend::Legend(const Figure& figure, double width) {
     }
     entries_.push_back({layer, lines});
   };
-  for (const Layer& layer : figure.layers) add(&layer, layer.legend);
+  for (const Layer& layer : figure.layers) {
+    if (window == nullptr || is_seen(layer, *window)) add(&layer, layer.legend);
+  }
   for (const std::string& note : figure.notes) add(nullptr, note);
-  if (entries_.empty()) return;
-  // The largest number of columns, each as wide as its longest text, filled row by row.
-  const auto entry_width = [](const Entry& entry) {
-    double widest = 0;
-    for (const std::string& line : entry.lines) widest = std::max(widest, text_width(line, font_size));
-    return widest + (entry.layer == nullptr ? 0 : text_indent);
-  };
-  for (std::size_t count = std::min(entries_.size(), max_columns); count > 0; --count) {
-    std::vector<double> widths(count, 0.0);
-    for (std::size_t k = 0; k < entries_.size(); ++k) {
-      widths[k % count] = std::max(widths[k % count], entry_width(entries_[k]));
-    }
-    columns_.clear();
+  arrange(width);
+}
+
+// The largest number of columns, each as wide as its longest text, filled row by row.
+void Legend::arrange(double width) {
+  for (std::size_t count = std::min(entries_.size(), max_columns); count > 1; --count) {
+    if (fits_in_columns(count, width)) return;
+  }
+  arrange_in_halves(width);
+}
+
+bool Legend::fits_in_columns(std::size_t count, double width) {
+  std::vector<double> widths(count, 0.0);
+  for (std::size_t k = 0; k < entries_.size(); ++k) {
+    widths[k % count] = std::max(widths[k % count], entry_width(entries_[k].layer, entries_[k].lines));
+  }
+  const double total = std::accumulate(widths.begin(), widths.end(), column_gap * static_cast<double>(count - 1));
+  if (total > width) return false;
+  for (std::size_t first = 0; first < entries_.size(); first += count) {
     double x = 0;
-    for (const double column : widths) {
-      columns_.push_back(x);
-      x += column + column_gap;
-    }
-    if (x - column_gap <= width) break;
-  }
-  double y = 0;
-  for (std::size_t k = 0; k < entries_.size(); k += columns_.size()) {
-    row_tops_.push_back(y);
     std::size_t lines = 1;
-    for (std::size_t j = k; j < std::min(entries_.size(), k + columns_.size()); ++j) {
-      lines = std::max(lines, entries_[j].lines.size());
+    for (std::size_t k = first; k < std::min(entries_.size(), first + count); ++k) {
+      entries_[k].x = x;
+      entries_[k].y = height_;
+      x += widths[k - first] + column_gap;
+      lines = std::max(lines, entries_[k].lines.size());
     }
-    y += static_cast<double>(lines) * line_step + row_gap;
+    height_ += row_height(lines);
   }
-  row_tops_.push_back(y);
+  return true;
+}
+
+// Long texts have rows of their own, two short ones that follow each other share a row.
+void Legend::arrange_in_halves(double width) {
+  const double half = 0.5 * (width + column_gap);
+  const auto is_short = [&](const Entry& entry) {
+    return entry.lines.size() == 1 && entry_width(entry.layer, entry.lines) <= half - column_gap;
+  };
+  for (std::size_t k = 0; k < entries_.size(); ++k) {
+    entries_[k].x = 0;
+    entries_[k].y = height_;
+    const double row = row_height(entries_[k].lines.size());
+    if (k + 1 < entries_.size() && is_short(entries_[k]) && is_short(entries_[k + 1])) {
+      ++k;
+      entries_[k].x = half;
+      entries_[k].y = height_;
+    }
+    height_ += row;
+  }
 }
 
 double Legend::height() const {
-  return row_tops_.empty() ? 0 : row_tops_.back();
+  return height_;
 }
 
 void Legend::draw(std::string& svg, double x, double y) const {
-  for (std::size_t k = 0; k < entries_.size(); ++k) {
-    const Entry& entry = entries_[k];
-    append_all(svg, "<g transform=\"translate(", hundredth(x + columns_[k % columns_.size()]), " ",
-               hundredth(y + row_tops_[k / columns_.size()] + line_step / 2), ")\">");
+  for (const Entry& entry : entries_) {
+    append_all(svg, "<g transform=\"translate(", hundredth(x + entry.x), " ", hundredth(y + entry.y + line_step / 2),
+               ")\">");
     if (entry.layer != nullptr) add_sample(svg, *entry.layer);
     for (std::size_t line = 0; line < entry.lines.size(); ++line) {
       add_text(svg, entry.layer != nullptr ? text_indent : 0, 0.36 * font_size + static_cast<double>(line) * line_step,

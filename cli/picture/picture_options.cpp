@@ -39,6 +39,7 @@ FigureStyle PictureRequest::style() const {
   if (!size.empty()) style.width = size[0];
   if (size.size() > 1) style.height = size[1];
   style.legend = !no_legend;
+  style.title = title;
   return style;
 }
 
@@ -69,8 +70,8 @@ Option add_picture_options(OptionParser& parser, PictureRequest& request, const 
       .needs(picture);
   parser
       .add("--inset", request.inset,
-           "Two corners of a part of the plane that the picture shows once more, magnified, in the corner where that "
-           "hides least (default: none).")
+           "Two corners of a part of the plane that the picture shows once more, magnified, where that hides least "
+           "(default: none).")
       .comma_separated()
       .count(4)
       .value("X0,Y0,X1,Y1")
@@ -83,6 +84,13 @@ Option add_picture_options(OptionParser& parser, PictureRequest& request, const 
       .count(1, 2)
       .range(30.0, 2000.0)
       .value("WIDTH[,HEIGHT]")
+      .needs(picture);
+  parser
+      .add_call(
+          "--title", [&request](const std::string& text) { request.title = text; },
+          "The line above the picture, with _{...} for subscripts and ^{...} for superscripts; \"\" for none (default: "
+          "the system and its parameters, or the curves).")
+      .value("TEXT")
       .needs(picture);
   parser.add_flag("--no-legend", request.no_legend, "Leave out the legend of the picture.").needs(picture);
   if (!named_things.empty()) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace lober::cli {
 
 struct PictureRequest {
   std::string file, data;
+  std::optional<std::string> title{};
   std::vector<double> window, inset, size;
   bool no_legend = false, labels = false, no_labels = false;
 
@@ -24,7 +26,8 @@ struct PictureRequest {
   [[nodiscard]] bool labels_for(std::size_t count) const;
 };
 
-/// Adds --picture FILE (or --svg, its old name), --data, --window, --size, --inset and --no-legend; with `named_things`
+/// Adds --picture FILE (or --svg, its old name), --data, --window, --size, --inset, --title and --no-legend; with
+/// `named_things`
 /// ("fixed points, pips and lobes") --labels and --no-labels too. `what` completes "Draw ... in FILE". Returns the
 /// option of the picture. `names`: those of --picture.
 Option add_picture_options(OptionParser& parser, PictureRequest& request, const std::string& what,

@@ -1,9 +1,11 @@
 #include "cli/picture/system_figure.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
 #include "cli/report/text.hpp"
+#include "engine/dynamics/levels/section_edge.hpp"
 #include "lober/curve/drawing.hpp"
 
 namespace lober::cli {
@@ -30,6 +32,32 @@ void name_axes(Figure& figure, const System& system) {
   };
   figure.x.name = name(system.section->chart_x);
   figure.y.name = name(system.section->chart_y);
+  const auto conjugate = [&](const ConjugatePair& pair) {
+    return pair.q == system.section->chart_x && pair.p == system.section->chart_y;
+  };
+  const auto pairs = system.flow->conjugate_pairs();
+  if (std::any_of(pairs.begin(), pairs.end(), conjugate)) figure.plane = false;
+}
+
+Rectangle add_section_edge(Figure& figure, const Flow& flow, const Section& section, double energy,
+                           const Rectangle& box) {
+  Layer layer = line_layer("edge of the section", "edge: no points of this energy beyond", palette::ink, 0.5);
+  Rectangle closed;
+  for (LevelCurve& curve : detail::section_edge(flow, section, energy, box)) {
+    if (curve.closed) closed = include(closed, curve.points);
+    layer.lines.push_back(polyline(std::move(curve.points), curve.closed));
+  }
+  if (!layer.lines.empty()) figure.layers.push_back(std::move(layer));
+  return closed;
+}
+
+void add_section_edge(Figure& figure, const System& system) {
+  if (!system.section || !system.flow) return;
+  for (const Parameter& parameter : system.info.parameters) {
+    if (parameter.name == "energy") {
+      add_section_edge(figure, *system.flow, *system.section, parameter.value, figure.window);
+    }
+  }
 }
 
 void name_axes(Figure& figure, const std::string& remark) {
@@ -42,6 +70,16 @@ void name_axes(Figure& figure, const std::string& remark) {
   figure.x.name = remark.substr(first, between - first);
   figure.y.name = remark.substr(second, remark.find(end, second) - second);
   if (remark.find("square degrees") != std::string::npos) figure.x.unit = figure.y.unit = "degrees";
+}
+
+std::vector<Point> orbit_positions(const Flow& flow, const PeriodicOrbit& orbit) {
+  constexpr std::size_t count = 256;
+  const auto pairs = flow.conjugate_pairs();
+  std::vector<Point> points;
+  for (const FlowState& state : states_along(flow, orbit, count, {.tolerance = 1e-14})) {
+    points.push_back({state[static_cast<std::size_t>(pairs[0].q)], state[static_cast<std::size_t>(pairs[1].q)]});
+  }
+  return points;
 }
 
 std::string short_name(const std::string& spec) {
