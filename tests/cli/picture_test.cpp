@@ -1,11 +1,13 @@
 // The options of pictures, and pictures of extreme windows.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <string>
 
 #include "cli/picture/conversion.hpp"
 #include "cli/picture/figure_svg.hpp"
+#include "cli/picture/panels.hpp"
 #include "cli/picture/ticks.hpp"
 #include "tests/cli/program.hpp"
 
@@ -59,7 +61,93 @@ TEST(FigureSvg, HasSmallCoordinatesInAnyWindow) {
   }
 }
 
+TEST(FigureSvg, SaysPowersOfTenAndCategories) {
+  Figure figure;
+  figure.plane = false;
+  figure.x.exponents = true;
+  figure.y.categories = {"first", "second", "third"};
+  figure.window = {-3, -0.5, 0, 1.5};
+  const std::string svg = figure_svg(figure, {});
+  EXPECT_NE(svg.find("second"), std::string::npos);
+  EXPECT_EQ(svg.find("third"), std::string::npos);  // beyond the window
+  EXPECT_NE(svg.find(">10<"), std::string::npos);   // with a superscript behind it
+}
+
+// The legend explains only parts that the window shows.
+TEST(FigureSvg, ExplainsWhatIsSeen) {
+  Figure figure;
+  figure.layers.push_back(line_layer("line", "a line", palette::ink));
+  figure.layers.back().lines.push_back({.own = {{0, 0}, {1, 1}}});
+  figure.layers.push_back(dot_layer("dots", "some dots", {{5, 5}}));
+  figure.layers.push_back(box_layer("boxes", "a box", palette::ink));
+  figure.layers.back().boxes.push_back({4, 4, 6, 6});
+  figure.layers.push_back(fill_layer("fill", "a fill", palette::ink));
+  figure.layers.back().lines.push_back({.own = {{4, 4}, {6, 4}, {6, 6}}, .closed = true});
+  figure.window = {0, 0, 6, 6};
+  FigureStyle style;
+  const auto explained = [&](const char* text) { return figure_svg(figure, style).find(text) != std::string::npos; };
+  for (const char* text : {"a line", "some dots", "a box", "a fill"}) EXPECT_TRUE(explained(text)) << text;
+  style.window = Rectangle{0, 0, 2, 2};
+  EXPECT_TRUE(explained("a line"));
+  for (const char* text : {"some dots", "a box", "a fill"}) EXPECT_FALSE(explained(text)) << text;
+  style.window = Rectangle{4.5, 4, 5.5, 6};
+  EXPECT_FALSE(explained("a line"));
+  for (const char* text : {"some dots", "a box", "a fill"}) EXPECT_TRUE(explained(text)) << text;
+}
+
+// An inset lies in the plot, hides neither its window nor, where there is room, lines.
+TEST(FigureSvg, PutsTheInsetWhereThereIsRoom) {
+  Figure figure;
+  figure.layers.push_back(line_layer("frame", "", palette::ink));
+  figure.layers.back().lines.push_back({.own = {{0, 0}, {10, 0}, {10, 10}, {0, 10}}, .closed = true});
+  figure.layers.back().lines.push_back({.own = {{1, 9}, {9, 9}, {9, 1}}});
+  figure.window = {0, 0, 10, 10};
+  FigureStyle style;
+  style.inset = Rectangle{8.5, 8.5, 9.5, 9.5};
+  const std::string svg = figure_svg(figure, style);
+  const auto number = [&](std::size_t from, const char* name) {
+    return std::strtod(svg.c_str() + svg.find(name, from) + std::string(name).size(), nullptr);
+  };
+  const std::size_t plot = svg.find("<clipPath id=\"plot\">"), inset = svg.find("<clipPath id=\"inset\">");
+  ASSERT_NE(inset, std::string::npos);
+  const double left = number(plot, "x=\""), width = number(plot, " width=\"");
+  const double right_of_inset = number(inset, "x=\"") + number(inset, " width=\"");
+  EXPECT_GT(number(inset, "x=\""), left);
+  EXPECT_LT(right_of_inset, left + 0.9 * width);  // left of the line x = 9
+}
+
+TEST(PanelsSvg, HasOneLegendAndNamesEachFrame) {
+  Figure figure;
+  figure.layers.push_back(dot_layer("dots", "the same dots", {{1, 1}}));
+  figure.window = {0, 0, 2, 2};
+  const std::array<Figure, 3> figures{figure, figure, figure};
+  const std::string svg = panels_svg("three", figures, 2, {.width = 170});
+  EXPECT_NE(svg.find("width=\"170mm\""), std::string::npos);
+  for (const char* id : {"plot0", "plot1", "plot2"}) {
+    EXPECT_NE(svg.find("<clipPath id=\"" + std::string(id) + "\""), std::string::npos);
+    EXPECT_NE(svg.find("url(#" + std::string(id) + ")"), std::string::npos);
+  }
+  const std::size_t first = svg.find("the same dots");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_EQ(svg.find("the same dots", first + 1), std::string::npos);
+}
+
 class PictureProgram : public ProgramTest {};
+
+TEST_F(PictureProgram, TakesATitle) {
+  const auto title_of = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"levels", "capsize", "--energy", "0.28", "--picture", "p.svg"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(run(arguments).status, 0);
+    return read("p.svg");
+  };
+  EXPECT_NE(title_of({}).find("energy = 0.28"), std::string::npos);
+  const std::string own = title_of({"--title", "Hill's region <e_{1}>"});
+  EXPECT_EQ(own.find("energy = 0.28"), std::string::npos);
+  EXPECT_NE(own.find("Hill's region &lt;e"), std::string::npos);
+  EXPECT_EQ(title_of({"--title", ""}).find("energy = 0.28"), std::string::npos);
+  EXPECT_EQ(run({"levels", "capsize", "--title", "none"}).status, 2);  // needs a picture
+}
 
 TEST_F(PictureProgram, WritesEachFormat) {
   const std::string curve = std::string(LOBER_SOURCE_DIR) + "/examples/six-crossings.dat";
