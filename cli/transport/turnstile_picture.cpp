@@ -75,11 +75,13 @@ class Turnstile {
       : boundary_(found.boundaries[boundary]),
         tangle_(boundary_.manifolds->tangle),
         regions_(regions_at(found, boundary)),
-        outwards(lobes_between(*boundary_.manifolds, 1, 0, true)),
-        inwards(lobes_between(*boundary_.manifolds, 1, 0, false)) {}
+        outwards_(lobes_between(*boundary_.manifolds, 1, 0, true)),
+        inwards_(lobes_between(*boundary_.manifolds, 1, 0, false)) {}
 
   [[nodiscard]] const Tangle& tangle() const { return tangle_; }
   [[nodiscard]] int inside() const { return regions_[0]; }
+  [[nodiscard]] const std::vector<std::size_t>& outwards() const { return outwards_; }  ///< lobes
+  [[nodiscard]] const std::vector<std::size_t>& inwards() const { return inwards_; }
   /// "L12": from the region inside to that outside, or back.
   [[nodiscard]] std::string name(bool leaving) const {
     return "L" + std::to_string(regions_[leaving ? 0 : 1]) + std::to_string(regions_[leaving ? 1 : 0]);
@@ -92,8 +94,15 @@ class Turnstile {
     return label;
   }
   void add_to(Figure& figure) const {
-    add(figure, outwards, name(true) + "(1)", "leaves, area " + rounded(boundary_.flux12.value), palette::leaving);
-    add(figure, inwards, name(false) + "(1)", "enters, area " + rounded(boundary_.flux21.value), palette::entering);
+    for (const bool outwards : {true, false}) {
+      // As region 1 sees it, if that is on one side.
+      const bool leaves = outwards ? regions_[1] != 1 : regions_[1] == 1;
+      const std::string lobe = name(outwards) + "(1)";
+      const double area = (outwards ? boundary_.flux12 : boundary_.flux21).value;
+      figure.layers.push_back(lobes_layer(tangle_, outwards ? outwards_ : inwards_, lobe.c_str(),
+                                          lobe + (leaves ? ", leaves, area " : ", enters, area ") + rounded(area),
+                                          leaves ? palette::leaving : palette::entering, 0.75));
+    }
   }
   void add_names(Figure& figure, std::span<const std::size_t> lobes, double size) const {
     for (const std::size_t k : lobes) {
@@ -108,14 +117,7 @@ class Turnstile {
   const TransportBoundary& boundary_;
   const Tangle& tangle_;
   std::array<int, 2> regions_;
-
-  void add(Figure& figure, std::span<const std::size_t> lobes, const std::string& name, const std::string& text,
-           const char* colour) const {
-    figure.layers.push_back(lobes_layer(tangle_, lobes, name.c_str(), name + ", " + text, colour, 0.75));
-  }
-
- public:
-  const std::vector<std::size_t> outwards, inwards;  ///< lobes
+  std::vector<std::size_t> outwards_, inwards_;
 };
 
 // p_1, p_2, ... for all saddles, each once, from the left.
@@ -176,8 +178,8 @@ Figure turnstile_figure(const TransportReport& report, const PictureRequest& how
   for (const Turnstile& turnstile : turnstiles) {
     shown.push_back(boundary_outline(turnstile.tangle()));
     boundaries = include(boundaries, shown.back());
-    show(turnstile.tangle(), &turnstile == &first ? std::span(leaving) : std::span(turnstile.outwards));
-    show(turnstile.tangle(), turnstile.inwards);
+    show(turnstile.tangle(), &turnstile == &first ? std::span(leaving) : std::span(turnstile.outwards()));
+    show(turnstile.tangle(), turnstile.inwards());
   }
   for (const Point corner : {Point{boundaries.min_x, boundaries.min_y}, Point{boundaries.max_x, boundaries.max_y}}) {
     figure.window.add(corner);
@@ -196,7 +198,7 @@ Figure turnstile_figure(const TransportReport& report, const PictureRequest& how
     return rest;
   };
   for (const Turnstile& turnstile : turnstiles) turnstile.add_to(figure);
-  const auto pre_images = others(leaving, first.outwards), images = others(entering, first.inwards);
+  const auto pre_images = others(leaving, first.outwards()), images = others(entering, first.inwards());
   const auto add = [&](std::span<const std::size_t> lobes, const std::string& name, const char* colour) {
     if (!lobes.empty()) figure.layers.push_back(lobes_layer(tangle, lobes, name.c_str(), name, colour, 0.3));
   };
@@ -233,8 +235,8 @@ Figure turnstile_figure(const TransportReport& report, const PictureRequest& how
   if (turnstiles.size() > 1) name_saddles(figure);
   if (report.system.lattice == Point{}) add_region_names(figure, found, turnstiles);
   for (const Turnstile& turnstile : turnstiles) {
-    turnstile.add_names(figure, turnstile.outwards, 7.5);
-    turnstile.add_names(figure, turnstile.inwards, 7.5);
+    turnstile.add_names(figure, turnstile.outwards(), 7.5);
+    turnstile.add_names(figure, turnstile.inwards(), 7.5);
   }
   first.add_names(figure, pre_images, 6.5);
   first.add_names(figure, images, 6.5);
