@@ -98,8 +98,8 @@ std::string class_text(const std::vector<SigmaStep>& steps, std::size_t number) 
     if (++count <= 8) members += (members.empty() ? "" : ", ") + std::string("p") + std::to_string(step.crossing);
   }
   if (count > 8) members += ", ...";
-  return "class " + std::to_string(number) + " {" + members + "}, a " + piece_name(count) + ", half the sum of S " +
-         rounded(sum / 2);
+  return "class " + std::to_string(number) + " {" + members + "}, half the sum of S " + rounded(sum / 2) + ": a " +
+         piece_name(count);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ FigureStyle PictureRequest::style() const {
   if (!size.empty()) style.width = size[0];
   if (size.size() > 1) style.height = size[1];
   style.legend = !no_legend;
-  style.title = title;
+  style.title = no_title ? "" : title;
   return style;
 }
 
@@ -85,13 +85,17 @@ Option add_picture_options(OptionParser& parser, PictureRequest& request, const 
       .range(30.0, 2000.0)
       .value("WIDTH[,HEIGHT]")
       .needs(picture);
-  parser
-      .add_call(
-          "--title", [&request](const std::string& text) { request.title = text; },
-          "The line above the picture, with _{...} for subscripts and ^{...} for superscripts; \"\" for none (default: "
-          "the system and its parameters, or the curves).")
-      .value("TEXT")
-      .needs(picture);
+  const Option title =
+      parser
+          .add_call(
+              "--title", [&request](const std::string& text) { request.title = text; },
+              "The line above the picture, with _{...} for subscripts and ^{...} for superscripts (default: the system "
+              "and its parameters, or the curves).")
+          .value("TEXT")
+          .needs(picture);
+  parser.add_flag("--no-title", request.no_title, "Leave out the line above the picture.")
+      .needs(picture)
+      .excludes(title);
   parser.add_flag("--no-legend", request.no_legend, "Leave out the legend of the picture.").needs(picture);
   if (!named_things.empty()) {
     parser

@@ -16,7 +16,7 @@ struct PictureRequest {
   std::string file, data;
   std::optional<std::string> title{};
   std::vector<double> window, inset, size;
-  bool no_legend = false, labels = false, no_labels = false;
+  bool no_legend = false, no_title = false, labels = false, no_labels = false;
 
   [[nodiscard]] bool asked() const { return !file.empty() || !data.empty(); }
   /// The files, for check_outputs; throws UsageError for options that contradict themselves.
@@ -26,8 +26,8 @@ struct PictureRequest {
   [[nodiscard]] bool labels_for(std::size_t count) const;
 };
 
-/// Adds --picture FILE (or --svg, its old name), --data, --window, --size, --inset, --title and --no-legend; with
-/// `named_things`
+/// Adds --picture FILE (or --svg, its old name), --data, --window, --size, --inset, --title, --no-title and
+/// --no-legend; with `named_things`
 /// ("fixed points, pips and lobes") --labels and --no-labels too. `what` completes "Draw ... in FILE". Returns the
 /// option of the picture. `names`: those of --picture.
 Option add_picture_options(OptionParser& parser, PictureRequest& request, const std::string& what,

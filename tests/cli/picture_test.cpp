@@ -145,7 +145,7 @@ TEST_F(PictureProgram, TakesATitle) {
   const std::string own = title_of({"--title", "Hill's region <e_{1}>"});
   EXPECT_EQ(own.find("energy = 0.28"), std::string::npos);
   EXPECT_NE(own.find("Hill's region &lt;e"), std::string::npos);
-  EXPECT_EQ(title_of({"--title", ""}).find("energy = 0.28"), std::string::npos);
+  EXPECT_EQ(title_of({"--no-title"}).find("energy = 0.28"), std::string::npos);
   EXPECT_EQ(run({"levels", "capsize", "--title", "none"}).status, 2);  // needs a picture
 }
 
