@@ -10,6 +10,7 @@
 
 #include "cli/batch/batch_options.hpp"
 #include "cli/batch/batch_page.hpp"
+#include "cli/batch/batch_picture.hpp"
 #include "cli/batch/batch_report.hpp"
 #include "cli/batch/operations_list.hpp"
 #include "cli/program/command_line.hpp"
@@ -243,6 +244,8 @@ constexpr Subcommand subcommands[]{
     {"status", show_status, "STORE", "reports the jobs that are done, the runs and the failures"},
     {"export", export_store, "STORE [-o FILE]", "writes the results as CSV, JSON lines, NPY, NetCDF or HDF5"},
     {"page", run_batch_page, "STORE -o FILE", "writes a page with a table of the jobs and heat maps"},
+    {"picture", run_batch_picture, "STORE --picture FILE",
+     "draws a number of the jobs over two options, or overlaps of lobes, as a heat map"},
     {"merge", merge_stores, "TARGET STORE...", "joins the stores of shards"},
     {"manifest", show_manifest_keys, "", "lists the keys of a manifest"},
     {"operations", show_operations, "[NAME]", "lists the operations, or the options and results of one"},

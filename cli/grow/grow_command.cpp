@@ -27,6 +27,7 @@ struct GrowRequest {
   SystemRequest system;
   std::vector<operations::OptionSetting> settings;
   std::string output, json, html, format;
+  PictureRequest picture;
   int threads = 0;
 };
 
@@ -47,6 +48,7 @@ std::optional<GrowRequest> parse_grow(const std::vector<std::string>& arguments)
       parser, memory, "The memory, in bytes or with a unit, as 4G or 500M, at which growing ends (default: no limit).");
   add_integration_option(parser, request.system.integration);
   add_points_option(parser, request.output, request.format, false);
+  add_picture_options(parser, request.picture, "the manifold", "the saddle and the ends of the images");
   add_json_option(parser, request.json, "a report of the growth");
   add_html_option(parser, request.html);
   add_threads_option(parser, request.threads);
@@ -68,7 +70,7 @@ void run(const GrowRequest& request) {
   const detail::Stopwatch watch;
   const std::vector<Output> outputs =
       checked_outputs({{"-o", request.output}, {"--json", request.json}, {"--html", request.html}},
-                      files_of_system(request.system.name));
+                      files_of_system(request.system.name), request.picture.outputs());
   const operations::Operation& operation = operations::named("grow");
   const operations::Options options = checked_options(operation, request.settings);
   const operations::SystemInput input = system_input_of(request.system);
@@ -92,6 +94,12 @@ void run(const GrowRequest& request) {
     if (!request.output.empty()) {
       write_curve_file(request.output, manifold.points,
                        {.format = request.format, .notes = notes_of("grow", outcome, {}, system_text(*input.system))});
+    }
+    if (request.picture.asked()) {
+      const operations::OptionValue* const box = options.find("box");
+      write_figure(request.picture,
+                   grow_figure(*input.system, manifold, box != nullptr ? std::get<Rectangle>(*box) : Rectangle{},
+                               request.picture));
     }
     if (!request.html.empty()) write_page(request.html, *input.system, outcome);
     const double write_seconds = write_watch.seconds();

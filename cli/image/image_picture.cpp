@@ -18,6 +18,15 @@ double iterate_width(int iterate) {
   return iterate == 0 ? 1.0 : std::max(0.3, 0.7 - 0.12 * (std::abs(iterate) - 1));
 }
 
+// "f^{-2}" of "f^-2".
+std::string printed_name(const std::string& name) {
+  const std::size_t power = name.find('^') + 1, end = std::min(name.find(' ', power), name.size());
+  if (power == 0) return name;
+  std::string digits = name.substr(power, end - power);
+  if (digits.starts_with('-')) digits.replace(0, 1, "\u2212");
+  return name.substr(0, power) + "{" + digits + "}" + name.substr(end);
+}
+
 }  // namespace
 
 Figure image_figure(const ImageReport& report) {
@@ -44,7 +53,7 @@ Figure image_figure(const ImageReport& report) {
     for (const auto& one : found.images) {
       const int iterate = one.image.iterate;
       if (std::abs(iterate) != distance) continue;
-      std::string text = one.name() + ": " + std::to_string(one.image.points.size()) + " points";
+      std::string text = printed_name(one.name()) + ": " + std::to_string(one.image.points.size()) + " points";
       if (one.parts.size() > 1) text += " in " + std::to_string(one.parts.size()) + " parts";
       Layer layer = line_layer(one.name(), text, iterate_colour(iterate), iterate_width(iterate));
       for (const ImagePart& part : one.parts) layer.lines.push_back(polyline(part.points, part.closed));

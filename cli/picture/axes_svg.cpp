@@ -9,6 +9,27 @@ namespace lober::cli {
 namespace {
 
 constexpr double tick_length = 2.4;
+constexpr std::size_t max_category_letters = 18;
+
+std::string shortened_category(const std::string& name) {
+  if (name.size() <= max_category_letters) return name;
+  std::size_t begin = name.size() - max_category_letters + 1;
+  while (begin < name.size() && (static_cast<unsigned char>(name[begin]) & 0xC0U) == 0x80U) ++begin;
+  return "\u2026" + name.substr(begin);  // names of files differ at their ends
+}
+
+// Every n-th name, n as small as can be, of those between low and high, so that there is room for them.
+template <typename Fits>
+Ticks category_ticks(double low, double high, const std::vector<std::string>& names, const Fits& fits) {
+  for (std::size_t every = 1;; ++every) {
+    Ticks ticks;
+    for (std::size_t k = 0; k < names.size(); k += every) {
+      const auto at = static_cast<double>(k);
+      if (at >= low && at <= high) ticks.list.push_back({(at - low) / (high - low), shortened_category(names[k])});
+    }
+    if (every >= names.size() || ticks.list.size() < 2 || fits(ticks)) return ticks;
+  }
+}
 
 }  // namespace
 
@@ -31,15 +52,21 @@ double widest(const Ticks& ticks, double font_size) {
 }
 
 Ticks ticks_across(const Rectangle& window, double width, double font_size, const Axis& axis) {
+  const auto spacing = [&](const Ticks& ticks) { return (ticks.list[1].fraction - ticks.list[0].fraction) * width; };
+  const auto fits = [&](const Ticks& ticks) { return spacing(ticks) >= widest(ticks, font_size) + font_size; };
+  if (!axis.categories.empty()) return category_ticks(window.min_x, window.max_x, axis.categories, fits);
   for (int count = 8;; --count) {
     Ticks ticks = ticks_between(window.min_x, window.max_x, count, axis.whole_numbers);
-    const auto texts = static_cast<double>(ticks.list.size());
-    const double step = ticks.list.size() > 1 ? (ticks.list[1].fraction - ticks.list[0].fraction) * width : width;
-    if (count <= 1 || texts <= 1 || step >= widest(ticks, font_size) + font_size) return ticks;
+    if (count <= 1 || ticks.list.size() <= 1 || fits(ticks)) return ticks;
   }
 }
 
 Ticks ticks_up(const Rectangle& window, double height, double font_size, const Axis& axis) {
+  if (!axis.categories.empty()) {
+    return category_ticks(window.min_y, window.max_y, axis.categories, [&](const Ticks& ticks) {
+      return (ticks.list[1].fraction - ticks.list[0].fraction) * height >= 1.3 * font_size;
+    });
+  }
   const int count = std::clamp(static_cast<int>(height / (2.6 * font_size)), 1, 8);
   return ticks_between(window.min_y, window.max_y, count, axis.whole_numbers);
 }

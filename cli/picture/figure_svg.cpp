@@ -14,7 +14,7 @@ namespace lober::cli {
 namespace {
 
 constexpr double points_in_mm = 72 / 25.4;
-constexpr double border = 3, title_size = 8, title_step = 9.6, name_size = 8, tick_size = 7;
+constexpr double picture_border = 3, title_size = 8, title_step = 9.6, name_size = 8, tick_size = 7;
 
 // Where everything stands. Ticks depend on the size of the plot and the plot on the texts of the ticks: two rounds do.
 struct Layout {
@@ -28,13 +28,13 @@ struct Layout {
 Layout layout_of(const Figure& figure, const FigureStyle& style, const Rectangle& window, double legend_height) {
   Layout layout;
   layout.width = style.width * points_in_mm;
-  layout.title = wrapped(figure.title, title_size, layout.width - 2 * border);
-  const double top = border + static_cast<double>(layout.title.size()) * title_step + 2;
-  const double below =
-      (figure.axes ? 4 + tick_size + 3 + name_size + 2 : 4) + (legend_height > 0 ? legend_height + 3 : 0) + border;
-  double left = border + (figure.axes ? name_size + 18 : 0);
+  layout.title = wrapped(figure.title, title_size, layout.width - 2 * picture_border);
+  const double top = picture_border + static_cast<double>(layout.title.size()) * title_step + 2;
+  const double below = (figure.axes ? 4 + tick_size + 3 + name_size + 2 : 4) +
+                       (legend_height > 0 ? legend_height + 3 : 0) + picture_border;
+  double left = picture_border + (figure.axes ? name_size + 18 : 0);
   for (int round = 0; round < 3; ++round) {
-    const double right = border + (figure.axes ? std::max(3.0, 0.5 * widest(layout.across, tick_size)) : 0);
+    const double right = picture_border + (figure.axes ? std::max(3.0, 0.5 * widest(layout.across, tick_size)) : 0);
     Frame room{left, top, std::max(20.0, layout.width - left - right), 0};
     if (style.height) {
       room.height = std::max(20.0, *style.height * points_in_mm - top - below);
@@ -49,7 +49,7 @@ Layout layout_of(const Figure& figure, const FigureStyle& style, const Rectangle
     if (!figure.axes) break;
     layout.across = ticks_across(window, layout.plot.width, tick_size, figure.x);
     layout.up = ticks_up(window, layout.plot.height, tick_size, figure.y);
-    left = border + name_size + 5 + widest(layout.up, tick_size) + 4;
+    left = picture_border + name_size + 5 + widest(layout.up, tick_size) + 4;
   }
   layout.legend_top = layout.plot.bottom() + (figure.axes ? 4 + tick_size + 3 + name_size + 2 : 4) + 3;
   layout.height = style.height ? *style.height * points_in_mm : layout.plot.bottom() + below;
@@ -68,7 +68,7 @@ void add_straight(std::string& svg, PrintPoint a, PrintPoint b, const char* colo
 
 void add_guides(std::string& svg, const Figure& figure, const Layout& layout, const View& view) {
   const Frame& plot = layout.plot;
-  if (!figure.plane && figure.axes) {
+  if (!figure.plane && figure.axes && figure.guides) {
     for (const Tick& tick : layout.up.list) {
       const double y = plot.bottom() - tick.fraction * plot.height;
       add_straight(svg, {plot.x, y}, {plot.right(), y}, palette::grid, 0.35);
@@ -92,7 +92,7 @@ std::string figure_svg(const Figure& figure, const FigureStyle& style) {
   const Rectangle window = drawable_window(style.window ? *style.window : figure.window);
   const double width = style.width * points_in_mm;
   const Figure nothing;
-  const Legend legend(style.legend ? figure : nothing, width - 2 * border);
+  const Legend legend(style.legend ? figure : nothing, width - 2 * picture_border);
   const Layout layout = layout_of(figure, style, window, legend.height());
   const View view(window, layout.plot);
   std::string svg;
@@ -103,8 +103,8 @@ std::string figure_svg(const Figure& figure, const FigureStyle& style) {
   append_all(svg, "<title>", escaped(figure.what),
              "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n");
   for (std::size_t k = 0; k < layout.title.size(); ++k) {
-    add_text(svg, 0.5 * layout.width, border + title_size + static_cast<double>(k) * title_step, layout.title[k],
-             {.size = title_size, .anchor = "middle"});
+    add_text(svg, 0.5 * layout.width, picture_border + title_size + static_cast<double>(k) * title_step,
+             layout.title[k], {.size = title_size, .anchor = "middle"});
   }
   add_guides(svg, figure, layout, view);
   add_layers(svg, figure, view, "plot");
@@ -118,11 +118,11 @@ std::string figure_svg(const Figure& figure, const FigureStyle& style) {
     const std::string x_text = axis_text(figure.x, layout.across), y_text = axis_text(figure.y, layout.up);
     const Frame& plot = layout.plot;
     add_text(svg, plot.x + 0.5 * plot.width, plot.bottom() + 4 + tick_size + 2 + name_size, x_text,
-             {.size = fitting_size(x_text, layout.width - 2 * border), .anchor = "middle"});
+             {.size = fitting_size(x_text, layout.width - 2 * picture_border), .anchor = "middle"});
     add_text(svg, plot.x - 5 - widest(layout.up, tick_size) - 4, plot.y + 0.5 * plot.height, y_text,
              {.size = fitting_size(y_text, plot.height + 20), .anchor = "middle", .upward = true});
   }
-  legend.draw(svg, border, layout.legend_top);
+  legend.draw(svg, picture_border, layout.legend_top);
   svg += "</svg>\n";
   return svg;
 }

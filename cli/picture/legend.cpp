@@ -80,32 +80,36 @@ Legend::Legend(const Figure& figure, double width) {
   for (const Layer& layer : figure.layers) add(&layer, layer.legend);
   for (const std::string& note : figure.notes) add(nullptr, note);
   if (entries_.empty()) return;
-  // The largest number of columns, each as wide as its longest text, filled row by row.
+  // In columns of one width; a longer entry takes several of them. The number of columns is the one with fewest rows.
   const auto entry_width = [](const Entry& entry) {
     double widest = 0;
     for (const std::string& line : entry.lines) widest = std::max(widest, text_width(line, font_size));
     return widest + (entry.layer == nullptr ? 0 : text_indent);
   };
-  for (std::size_t count = std::min(entries_.size(), max_columns); count > 0; --count) {
-    std::vector<double> widths(count, 0.0);
-    for (std::size_t k = 0; k < entries_.size(); ++k) {
-      widths[k % count] = std::max(widths[k % count], entry_width(entries_[k]));
+  const auto arrange = [&](std::size_t columns) {
+    const double step = (width + column_gap) / static_cast<double>(columns);
+    std::vector<Place> places;
+    std::size_t row = 0, next = 0;
+    for (const Entry& entry : entries_) {
+      const auto wanted = static_cast<std::size_t>(std::ceil((entry_width(entry) + column_gap) / step));
+      const std::size_t span = std::clamp<std::size_t>(wanted, 1, columns);
+      if (next + span > columns) ++row, next = 0;
+      places.push_back({row, static_cast<double>(next) * step});
+      next += span;
     }
-    columns_.clear();
-    double x = 0;
-    for (const double column : widths) {
-      columns_.push_back(x);
-      x += column + column_gap;
-    }
-    if (x - column_gap <= width) break;
+    return places;
+  };
+  places_ = arrange(1);
+  for (std::size_t columns = 2; columns <= max_columns; ++columns) {
+    std::vector<Place> places = arrange(columns);
+    if (places.back().row < places_.back().row) places_ = std::move(places);
   }
   double y = 0;
-  for (std::size_t k = 0; k < entries_.size(); k += columns_.size()) {
+  for (std::size_t k = 0; k < entries_.size();) {
     row_tops_.push_back(y);
     std::size_t lines = 1;
-    for (std::size_t j = k; j < std::min(entries_.size(), k + columns_.size()); ++j) {
-      lines = std::max(lines, entries_[j].lines.size());
-    }
+    const std::size_t row = places_[k].row;
+    for (; k < entries_.size() && places_[k].row == row; ++k) lines = std::max(lines, entries_[k].lines.size());
     y += static_cast<double>(lines) * line_step + row_gap;
   }
   row_tops_.push_back(y);
@@ -118,8 +122,8 @@ double Legend::height() const {
 void Legend::draw(std::string& svg, double x, double y) const {
   for (std::size_t k = 0; k < entries_.size(); ++k) {
     const Entry& entry = entries_[k];
-    append_all(svg, "<g transform=\"translate(", hundredth(x + columns_[k % columns_.size()]), " ",
-               hundredth(y + row_tops_[k / columns_.size()] + line_step / 2), ")\">");
+    append_all(svg, "<g transform=\"translate(", hundredth(x + places_[k].x), " ",
+               hundredth(y + row_tops_[places_[k].row] + line_step / 2), ")\">");
     if (entry.layer != nullptr) add_sample(svg, *entry.layer);
     for (std::size_t line = 0; line < entry.lines.size(); ++line) {
       add_text(svg, entry.layer != nullptr ? text_indent : 0, 0.36 * font_size + static_cast<double>(line) * line_step,

@@ -22,8 +22,12 @@ class Legend {
     const Layer* layer = nullptr;  // null: a note
     std::vector<std::string> lines{};
   };
+  struct Place {
+    std::size_t row;
+    double x;
+  };
   std::vector<Entry> entries_;
-  std::vector<double> columns_;   // where each begins
+  std::vector<Place> places_;     // of the entries
   std::vector<double> row_tops_;  // and one past the last
 };
 

@@ -18,8 +18,28 @@ std::string system_title(const SystemInfo& system) {
   return text;
 }
 
+namespace {
+
+// The coordinates that the summary of a system names last: "period map in (x, x')", "plane (x, p)".
+void name_axes_by_summary(Figure& figure, std::string_view summary) {
+  for (const std::string_view before : {" in (", "plane ("}) {
+    const std::size_t at = summary.rfind(before);
+    if (at == std::string_view::npos) continue;
+    const std::string_view pair = summary.substr(at + before.size());
+    const std::size_t comma = pair.find(", "), end = pair.find(')');
+    if (comma == std::string_view::npos || end == std::string_view::npos || comma > end) continue;
+    const std::string_view x = pair.substr(0, comma), y = pair.substr(comma + 2, end - comma - 2);
+    if (x.empty() || y.empty() || x.size() > 8 || y.size() > 8) continue;
+    figure.x.name = x;
+    figure.y.name = y;
+    return;
+  }
+}
+
+}  // namespace
+
 void name_axes(Figure& figure, const System& system) {
-  if (!system.section || !system.flow) return;
+  if (!system.section || !system.flow) return name_axes_by_summary(figure, system.info.summary);
   // Positions, then velocities or momenta.
   constexpr std::array<const char*, 3> of_three{"x", "y", "z"};
   constexpr std::array<const char*, 4> of_four{"x", "y", "v_{x}", "v_{y}"};

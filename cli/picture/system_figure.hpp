@@ -11,7 +11,8 @@ namespace lober::cli {
 
 /// "ovp: gamma = 0.5, eps = 0.1, phase = 0", the title of a picture.
 [[nodiscard]] std::string system_title(const SystemInfo& system);
-/// The names of the coordinates of the system's map: x and y, or those of its section.
+/// The names of the coordinates of the system's map: those of its section, or those that its summary names; x and y
+/// otherwise.
 void name_axes(Figure& figure, const System& system);
 /// The names of the columns that a remark on a curve that was read speaks of; x and y where there is none.
 void name_axes(Figure& figure, const std::string& remark);

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/picture/picture_options.hpp"
 #include "cli/program/command_line.hpp"
 #include "cli/program/option_parser.hpp"
 #include "cli/program/system_options.hpp"
 #include "cli/report/json_file.hpp"
+#include "cli/systems/system_portrait.hpp"
 #include "lober/dynamics/fixed_points.hpp"
 #include "lober/dynamics/systems.hpp"
 
@@ -175,6 +177,7 @@ Json details_json(const System& system, std::span<const FixedPoint> points) {
 void run_systems(const std::vector<std::string>& arguments) {
   SystemRequest request;
   std::string json_path;
+  PictureRequest picture;
   OptionParser parser(
       "Lists the built-in systems; with a name, shows the equations, parameters, fixed points, saddles and manifolds "
       "of "
@@ -182,18 +185,20 @@ void run_systems(const std::vector<std::string>& arguments) {
       "lober systems");
   parser.add_example("lober systems", "the names of all systems");
   parser.add_example("lober systems ovp --param gamma=0.5", "the equations, parameters and manifolds of one");
+  parser.add_example("lober systems duffing --picture duffing.svg", "its phase portrait");
   parser.add("SYSTEM", request.name, "The name of a system, or a shared library (lober_system.h).");
   add_parameter_option(parser, request.parameters);
+  add_picture_options(parser, picture, "orbits, fixed points and manifolds of SYSTEM",
+                      "fixed points by their residues");
   add_json_option(parser, json_path, "the list");
   if (!parser.parse(arguments)) return;
-
-  const Output json_output{"--json", json_path};
-  const std::vector<std::string> inputs = files_of_system(request.name);
-  if (!json_path.empty()) check_outputs({&json_output, 1}, inputs);
+  const std::vector<Output> outputs =
+      checked_outputs({{"--json", json_path}}, files_of_system(request.name), picture.outputs());
   std::string text;
   Json json;
   if (request.name.empty()) {
     if (!request.parameters.empty()) throw UsageError("--param needs the name of a system");
+    if (picture.asked()) throw UsageError("--picture and --data need the name of a system");
     const std::vector<SystemInfo> infos = list_systems();
     text = list_text(infos);
     json = Json::array();
@@ -203,9 +208,10 @@ void run_systems(const std::vector<std::string>& arguments) {
     const std::vector<FixedPoint> points = fixed_points_of(system);
     text = details_text(system, points);
     json = details_json(system, points);
+    if (picture.asked()) write_figure(picture, system_portrait(system, points, picture.labels_for(points.size())));
   }
   if (!json_path.empty()) write_listing(json_path, "systems", "systems", std::move(json));
-  if (json_path != "-") print(text);
+  if (!takes_standard_output(outputs)) print(text);
 }
 
 }  // namespace lober::cli

@@ -127,7 +127,7 @@ Figure turnstile_figure(const TransportReport& report, const PictureRequest& how
   for (const auto* lobes : {&leaving, &inwards}) {
     for (const std::size_t k : *lobes) shown.push_back(lobe_outline(tangle, k));
   }
-  figure.window = with_margin(include(area_box(shown), shown.front()));
+  figure.window = with_margin(box_about(include({}, shown.front()), area_box(shown)));
   const TransportBoundary& first = report.result().boundaries.front();
   add_boundary(figure, tangle, report.result().regions.front().area.value);
   const auto add = [&](std::span<const std::size_t> lobes, const char* name, const std::string& legend,
