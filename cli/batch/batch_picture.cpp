@@ -32,6 +32,40 @@ std::string plain(const Json& value) {
                              : value.dump();
 }
 
+// The number n where the curve is image(FILE, ..., iterates=n, ...), 0 where it is FILE itself; nothing otherwise.
+std::optional<std::string> iterate_of(const std::string& curve, const std::string& file) {
+  if (curve == file) return "0";
+  const std::string key = ", iterates=";
+  const std::size_t at = curve.find(key);
+  if (!curve.starts_with("image(" + file + ",") || at == std::string::npos) return std::nullopt;
+  return curve.substr(at + key.size(), curve.find_first_of(",)", at + key.size()) - at - key.size());
+}
+
+// Names of curves without what all of them have in common, which the axis says: the file of all, or the curve of which
+// they are images.
+HeatAxis names_axis(const std::string& name, std::vector<std::string> names) {
+  const std::size_t hash = names.front().find('#');
+  const std::string file = names.front().substr(0, hash == std::string::npos ? 0 : hash + 1);
+  const bool one_file = !file.empty() && std::all_of(names.begin(), names.end(),
+                                                     [&](const std::string& one) { return one.starts_with(file); });
+  if (one_file) {
+    for (std::string& one : names) one.erase(0, file.size());
+    return HeatAxis::of_names(name + " curve, " + file, std::move(names));
+  }
+  const std::string image = "image(";
+  const std::string& first = names.front();
+  const std::string base =
+      first.starts_with(image) ? first.substr(image.size(), first.find(',') - image.size()) : first;
+  std::vector<std::string> iterates;
+  for (const std::string& one : names) {
+    const std::optional<std::string> iterate = iterate_of(one, base);
+    if (!iterate) return HeatAxis::of_names(name, std::move(names));
+    iterates.push_back(*iterate);
+  }
+  if (iterates.size() < 2) return HeatAxis::of_names(name, std::move(names));
+  return HeatAxis::of_names(name + " curve, iterate of " + base, std::move(iterates));
+}
+
 // The different values of a name, in order, and the number of each.
 struct Steps {
   std::vector<Json> values;
@@ -58,13 +92,7 @@ struct Steps {
     }
     std::vector<std::string> names;
     for (const Json& value : values) names.push_back(plain(value));
-    // Curves of one file: its name once is enough.
-    const std::size_t hash = names.front().find('#');
-    const std::string file = names.front().substr(0, hash == std::string::npos ? 0 : hash + 1);
-    const bool is_one = !file.empty() && std::all_of(names.begin(), names.end(),
-                                                     [&](const std::string& one) { return one.starts_with(file); });
-    for (std::string& one : names) one.erase(0, is_one ? file.size() : 0);
-    return HeatAxis::of_names(is_one ? name + " curve, " + file : name, std::move(names));
+    return names_axis(name, std::move(names));
   }
 };
 
@@ -132,16 +160,16 @@ void add_curve(Figure& figure, const JobValues& jobs, const std::vector<std::siz
   Rectangle box;
   bool has_errors = false;
   for (const auto& [at, k] : job_at) {
-    const double place = axis.axis.categories.empty() ? steps.values[at].get<double>() : static_cast<double>(at);
+    const double along = axis.axis.categories.empty() ? steps.values[at].get<double>() : static_cast<double>(at);
     const double height = jobs.value(k, value).get<double>();
     double error = 0;
     for (const std::string& name : {value + "_error", "discretisation_" + value}) {
       if (const Json& one = jobs.value(k, name); one.is_number()) error = one.get<double>(), has_errors = true;
     }
-    dots.points.push_back({place, height});
+    dots.points.push_back({along, height});
     dots.errors.push_back(error);
-    box.add({place, height - error});
-    box.add({place, height + error});
+    box.add({along, height - error});
+    box.add({along, height + error});
   }
   if (!has_errors) dots.errors.clear();
   figure.layers.push_back(line_layer(value + " (line)", "", palette::ink, 0.5));

@@ -12,7 +12,7 @@ namespace lober::cli {
 /// The jobs that are done, in the order of the plan.
 class JobValues {
  public:
-  /// Of one operation, which has to be named where the store has several. Throws DataError, UsageError.
+  /// Reads those of one operation, which has to be named where the store has several. Throws DataError, UsageError.
   JobValues(const std::string& store, const std::string& operation);
 
   [[nodiscard]] std::size_t size() const { return jobs_.size(); }

@@ -9,6 +9,8 @@
 namespace lober::cli {
 namespace {
 
+constexpr std::size_t max_large_dots = 60;
+
 std::string criterion_text(DiagnosticCause cause) {
   switch (cause) {
     case DiagnosticCause::min_length:
@@ -63,10 +65,11 @@ Figure densify_figure(const std::vector<NamedCurve>& curves, const operations::R
   figure.layers.push_back(
       line_layer("curve", "the curve, " + counted(made.size(), "point", "points"), palette::curve1, 0.5));
   figure.layers.back().lines.push_back(polyline(made, found.closed, "curve"));
+  const double radius = std::max(given.size(), made.size()) > max_large_dots ? 0.8 : 1.2;
   const auto dots = [&](const char* layer, const char* one, const char* many, std::vector<Point> points, bool hollow) {
     if (points.empty()) return;
     const std::string text = counted(points.size(), one, many);
-    figure.layers.push_back(dot_layer(layer, text, std::move(points), 1.2));
+    figure.layers.push_back(dot_layer(layer, text, std::move(points), radius));
     figure.layers.back().hollow = hollow;
     figure.layers.back().colour = hollow ? palette::ink : palette::curve1;
   };

@@ -11,7 +11,7 @@ namespace lober::cli {
 /// The values that a quantity takes, in order, and where they lie on an axis.
 struct HeatAxis {
   Axis axis{};
-  std::vector<double> edges{};  ///< of the cells of the values, one more than there are values
+  std::vector<double> edges{};  ///< borders of the cells of the values, one more than there are values
 
   /// Numbers, ascending: the cells reach half way to the next ones. Where one step is more than three times another
   /// one, they are names at equal distances.

@@ -88,28 +88,28 @@ Legend::Legend(const Figure& figure, double width) {
   };
   const auto arrange = [&](std::size_t columns) {
     const double step = (width + column_gap) / static_cast<double>(columns);
-    std::vector<Place> places;
+    std::vector<Position> positions;
     std::size_t row = 0, next = 0;
     for (const Entry& entry : entries_) {
       const auto wanted = static_cast<std::size_t>(std::ceil((entry_width(entry) + column_gap) / step));
       const std::size_t span = std::clamp<std::size_t>(wanted, 1, columns);
       if (next + span > columns) ++row, next = 0;
-      places.push_back({row, static_cast<double>(next) * step});
+      positions.push_back({row, static_cast<double>(next) * step});
       next += span;
     }
-    return places;
+    return positions;
   };
-  places_ = arrange(1);
+  positions_ = arrange(1);
   for (std::size_t columns = 2; columns <= max_columns; ++columns) {
-    std::vector<Place> places = arrange(columns);
-    if (places.back().row < places_.back().row) places_ = std::move(places);
+    std::vector<Position> positions = arrange(columns);
+    if (positions.back().row < positions_.back().row) positions_ = std::move(positions);
   }
   double y = 0;
   for (std::size_t k = 0; k < entries_.size();) {
     row_tops_.push_back(y);
     std::size_t lines = 1;
-    const std::size_t row = places_[k].row;
-    for (; k < entries_.size() && places_[k].row == row; ++k) lines = std::max(lines, entries_[k].lines.size());
+    const std::size_t row = positions_[k].row;
+    for (; k < entries_.size() && positions_[k].row == row; ++k) lines = std::max(lines, entries_[k].lines.size());
     y += static_cast<double>(lines) * line_step + row_gap;
   }
   row_tops_.push_back(y);
@@ -122,8 +122,8 @@ double Legend::height() const {
 void Legend::draw(std::string& svg, double x, double y) const {
   for (std::size_t k = 0; k < entries_.size(); ++k) {
     const Entry& entry = entries_[k];
-    append_all(svg, "<g transform=\"translate(", hundredth(x + places_[k].x), " ",
-               hundredth(y + row_tops_[places_[k].row] + line_step / 2), ")\">");
+    append_all(svg, "<g transform=\"translate(", hundredth(x + positions_[k].x), " ",
+               hundredth(y + row_tops_[positions_[k].row] + line_step / 2), ")\">");
     if (entry.layer != nullptr) add_sample(svg, *entry.layer);
     for (std::size_t line = 0; line < entry.lines.size(); ++line) {
       add_text(svg, entry.layer != nullptr ? text_indent : 0, 0.36 * font_size + static_cast<double>(line) * line_step,

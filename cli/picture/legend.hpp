@@ -22,13 +22,13 @@ class Legend {
     const Layer* layer = nullptr;  // null: a note
     std::vector<std::string> lines{};
   };
-  struct Place {
+  struct Position {
     std::size_t row;
     double x;
   };
   std::vector<Entry> entries_;
-  std::vector<Place> places_;     // of the entries
-  std::vector<double> row_tops_;  // and one past the last
+  std::vector<Position> positions_;  // where each entry is
+  std::vector<double> row_tops_;     // and one past the last
 };
 
 /// A dot of a layer about (x, y), all lengths times `scale`.
