@@ -84,11 +84,11 @@ struct Steps {
     const auto found = std::find(values.begin(), values.end(), value);
     return found == values.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - values.begin()));
   }
-  [[nodiscard]] HeatAxis axis(const std::string& name) const {
+  [[nodiscard]] HeatAxis axis(const std::string& name, std::size_t max_names = 12) const {
     if (are_numbers()) {
       std::vector<double> numbers;
       for (const Json& value : values) numbers.push_back(value.get<double>());
-      return HeatAxis::of_numbers(name, numbers);
+      return HeatAxis::of_numbers(name, numbers, max_names);
     }
     std::vector<std::string> names;
     for (const Json& value : values) names.push_back(plain(value));
@@ -149,7 +149,7 @@ std::string title_of(const BatchPictureRequest& request, const JobValues& jobs, 
 void add_curve(Figure& figure, const JobValues& jobs, const std::vector<std::size_t>& chosen, const std::string& x,
                const std::string& value) {
   const Steps steps(jobs, chosen, x);
-  const HeatAxis axis = steps.axis(x);
+  const HeatAxis axis = steps.axis(x, 0);
   std::map<std::size_t, std::size_t> job_at;
   for (const std::size_t k : chosen) {
     const auto at = steps.number_of(jobs.value(k, x));

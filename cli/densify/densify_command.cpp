@@ -11,6 +11,7 @@
 #include "cli/program/table_options.hpp"
 #include "cli/report/curve_file.hpp"
 #include "cli/report/outcome_json.hpp"
+#include "cli/report/table.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/base/threads.hpp"
 
@@ -57,6 +58,7 @@ std::optional<DensifyRequest> parse_densify(const std::vector<std::string>& argu
       .value("FILE");
   add_picture_options(parser, request.picture, "the curve with the points that were inserted or removed");
   add_json_option(parser, request.json, "a report of the steps");
+  add_table_option(parser);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return std::nullopt;
   request.settings = options.settings();
@@ -130,7 +132,7 @@ void run(const DensifyRequest& request) {
       });
     }
   }
-  if (!takes_standard_output(outputs)) print(densify_summary(curves, outcome.as<RefinedCurve>()));
+  if (!takes_standard_output(outputs)) print_report(densify_summary(curves, outcome.as<RefinedCurve>()));
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ Layer criterion_layer(const DensifiedCurve& curve, DiagnosticCause cause) {
 Figure densify_figure(const std::vector<NamedCurve>& curves, const operations::RefinedCurve& found) {
   const std::span<const Point> given = curves[0].curve.points, made = found.points;
   Figure figure{.what = "A curve with points inserted or removed", .title = short_name(spec_of(curves[0]))};
-  name_axes(figure, curves[0].remark);
+  name_axes(figure, curves[0]);
   figure.window = with_margin(include(include({}, given), made));
   if (curves.size() > 1) {
     figure.layers.push_back(line_layer("AGAINST", "against " + short_name(spec_of(curves[1])), palette::curve2, 0.5));

@@ -13,6 +13,7 @@
 #include "cli/program/table_options.hpp"
 #include "cli/report/curve_file.hpp"
 #include "cli/report/outcome_json.hpp"
+#include "cli/report/table.hpp"
 #include "cli/view/page_output.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/base/cancellation.hpp"
@@ -50,6 +51,7 @@ std::optional<GrowRequest> parse_grow(const std::vector<std::string>& arguments)
   add_points_option(parser, request.output, request.format, false);
   add_picture_options(parser, request.picture, "the manifold", "the saddle and the ends of the images");
   add_json_option(parser, request.json, "a report of the growth");
+  add_table_option(parser);
   add_html_option(parser, request.html);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return std::nullopt;
@@ -114,7 +116,7 @@ void run(const GrowRequest& request) {
     }
   }
   const auto& manifold = outcome.as<SystemManifold>();
-  if (!takes_standard_output(outputs)) print(grow_summary(*input.system, manifold));
+  if (!takes_standard_output(outputs)) print_report(grow_summary(*input.system, manifold));
   if (manifold.stop == GrowthStop::cancelled) throw Cancelled();
   if (!ends_as_asked(manifold)) log_warning("growing ended " + end_of_growth(manifold));
 }

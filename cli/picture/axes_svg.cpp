@@ -40,7 +40,7 @@ std::string axis_text(const Axis& axis, const Ticks& ticks) {
   if (ticks.power != 0) {
     std::string power = std::to_string(ticks.power);
     if (ticks.power < 0) power = "\u2212" + power.substr(1);
-    unit = "10^{" + power + "}" + (unit.empty() ? "" : " " + unit);
+    unit = "10^{" + power + "}" + (unit.empty() ? "" : "\u00a0" + unit);
   }
   return unit.empty() ? text : text + " (" + unit + ")";
 }

@@ -66,13 +66,14 @@ HeatAxis HeatAxis::of_names(std::string name, std::vector<std::string> names) {
   return made;
 }
 
-HeatAxis HeatAxis::of_numbers(std::string name, const std::vector<double>& numbers) {
+HeatAxis HeatAxis::of_numbers(std::string name, const std::vector<double>& numbers, std::size_t max_names) {
   double least = HUGE_VAL, largest = 0;
   for (std::size_t k = 0; k + 1 < numbers.size(); ++k) {
     least = std::min(least, numbers[k + 1] - numbers[k]);
     largest = std::max(largest, numbers[k + 1] - numbers[k]);
   }
-  if (numbers.size() < 2 || !(largest <= max_step_ratio * least)) {
+  const bool are_few = numbers.size() <= max_names && (numbers.size() == 2 || largest <= 1.01 * least);
+  if (numbers.size() < 2 || are_few || !(largest <= max_step_ratio * least)) {
     return of_names(std::move(name), distinct_texts(numbers));
   }
   HeatAxis made{.axis = {std::move(name)}};

@@ -14,8 +14,9 @@ struct HeatAxis {
   std::vector<double> edges{};  ///< borders of the cells of the values, one more than there are values
 
   /// Numbers, ascending: the cells reach half way to the next ones. Where one step is more than three times another
-  /// one, they are names at equal distances.
-  [[nodiscard]] static HeatAxis of_numbers(std::string name, const std::vector<double>& numbers);
+  /// one, and where there are at most `max_names` at equal distances, they are names.
+  [[nodiscard]] static HeatAxis of_numbers(std::string name, const std::vector<double>& numbers,
+                                           std::size_t max_names = 12);
   /// Names at equal distances.
   [[nodiscard]] static HeatAxis of_names(std::string name, std::vector<std::string> names);
 };

@@ -6,6 +6,7 @@
 #include "cli/picture/figure_data.hpp"
 #include "cli/picture/system_figure.hpp"
 #include "cli/picture/view.hpp"
+#include "cli/program/log.hpp"
 #include "cli/program/output_names.hpp"
 #include "lober/base/error.hpp"
 #include "lober/curve/drawing.hpp"
@@ -28,6 +29,10 @@ std::string corners_text(const Rectangle& box) {
   return rounded(box.min_x) + "," + rounded(box.min_y) + "," + rounded(box.max_x) + "," + rounded(box.max_y);
 }
 
+bool are_apart(const Rectangle& a, const Rectangle& b) {
+  return a.min_x >= b.max_x || a.max_x <= b.min_x || a.min_y >= b.max_y || a.max_y <= b.min_y;
+}
+
 // The inset magnifies a part of the window.
 void check_inset(const Rectangle& inset, const Rectangle& window) {
   const auto is_in = [](const Rectangle& inner, const Rectangle& outer) {
@@ -35,8 +40,7 @@ void check_inset(const Rectangle& inset, const Rectangle& window) {
            inner.max_y <= outer.max_y;
   };
   if (is_in(inset, widened(window, 1e-4))) return;  // messages name corners with six digits
-  const bool apart = inset.min_x >= window.max_x || inset.max_x <= window.min_x || inset.min_y >= window.max_y ||
-                     inset.max_y <= window.min_y;
+  const bool apart = are_apart(inset, window);
   throw UsageError("--inset " + corners_text(inset) + (apart ? " lies outside of" : " reaches beyond") +
                    " the part of the plane that the picture shows, " + corners_text(window) +
                    "; give corners inside of it, or another --window");
@@ -135,6 +139,9 @@ void write_figure(const PictureRequest& request, const Figure& figure) {
   const FigureStyle style = request.style();
   if (style.inset && !request.file.empty())
     check_inset(*style.inset, drawable_window(style.window.value_or(figure.window)));
+  if (style.window && are_apart(*style.window, drawable_window(figure.window))) {
+    log_warning("--window " + corners_text(*style.window) + " shows nothing; all is in " + corners_text(figure.window));
+  }
   if (!request.file.empty()) write_figure(request.file, figure, style);
   if (request.data.empty()) return;
   write_file(request.data, request.data.ends_with(".json") ? figure_json(figure) : figure_csv(figure));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/picture/figure.hpp"
+#include "lober/curve/files.hpp"
 #include "lober/dynamics/systems.hpp"
 
 namespace lober::cli {
@@ -14,8 +15,9 @@ namespace lober::cli {
 /// The names of the coordinates of the system's map: those of its section, or those that its summary names; x and y
 /// otherwise.
 void name_axes(Figure& figure, const System& system);
-/// The names of the columns that a remark on a curve that was read speaks of; x and y where there is none.
-void name_axes(Figure& figure, const std::string& remark);
+/// The names of the columns of the file, with their units, as in "easting (km)"; degrees where these are longitudes and
+/// latitudes. x and y where the file has no names.
+void name_axes(Figure& figure, const NamedCurve& input);
 
 /// The box widened by a thirtieth on each side, so that nothing lies on the frame.
 [[nodiscard]] Rectangle with_margin(const Rectangle& box);

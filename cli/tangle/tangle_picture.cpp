@@ -168,7 +168,7 @@ Figure tangle_figure(const TangleReport& report, const PictureRequest& how) {
     name_axes(figure, *report.origin->system);
   } else {
     figure.title = "U " + short_name(spec_of(report.inputs[0])) + ", S " + short_name(spec_of(report.inputs[1]));
-    name_axes(figure, report.inputs[0].remark);
+    name_axes(figure, report.inputs[0]);
   }
   std::vector<std::vector<Point>> outlines;
   for (std::size_t k = 0; k < tangle.lobes.size(); ++k) outlines.push_back(lobe_outline(tangle, k));
