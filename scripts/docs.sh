@@ -2,6 +2,7 @@
 # The figures and the numbers of the documents, made anew from the program and from bench/RESULTS.md.
 # usage: docs.sh make [cheap|paper]   writes docs/*.svg, docs/paper/*, the blocks of numbers and what ```console blocks show
 #        docs.sh check [cheap|paper]  makes them elsewhere, and fails when a committed one differs
+# The pictures of the gallery, docs/gallery/*.svg, are those of docs/gallery/pictures.txt.
 # cheap: only those that take seconds. paper: only what docs/paper.md shows, cheap or not. In place of these: one document
 # or figure.
 #
@@ -74,6 +75,8 @@ docs/paper/table-5.txt       costly  escape capsize --energy 0.25307 --crossings
 docs/paper/table-5-0.253.txt costly  escape capsize --energy 0.253 --crossings 4
 docs/escape-pcr3bp.svg              costly  escape pcr3bp --energy -1.515 --crossings 0 --saddle 2 --svg
 '
+# Those of the gallery, all cheap: files of work/ and pictures.
+figures+=$(sed -E '/^#/d; /^\|/d; s/@/@work\//g; s/^([^ |]+\.[^ |]+) *\|[^|]*\| *(.*)$/work\/\1 cheap \2/; s/^([^ |/]+) *\|[^|]*\| *(.*)$/docs\/gallery\/\1.svg cheap \2/' docs/gallery/pictures.txt)
 # Documents with blocks; those of the costly kind are only made with all.
 documents='README.md docs/reference/formats.md docs/paper.md docs/figures.md docs/published-forms.md docs/reference.md '$(ls docs/explanation/*.md docs/how-to/*.md docs/tutorials/*.md | tr '\n' ' ')
 costly_blocks=''

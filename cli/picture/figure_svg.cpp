@@ -68,7 +68,7 @@ void add_straight(std::string& svg, PrintPoint a, PrintPoint b, const char* colo
 
 void add_guides(std::string& svg, const Figure& figure, const Layout& layout, const View& view) {
   const Frame& plot = layout.plot;
-  if (!figure.plane && figure.axes) {
+  if (!figure.plane && figure.axes && figure.guides) {
     for (const Tick& tick : layout.up.list) {
       const double y = plot.bottom() - tick.fraction * plot.height;
       add_straight(svg, {plot.x, y}, {plot.right(), y}, palette::grid, 0.35);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "cli/picture/path_writer.hpp"
 #include "cli/picture/rich_text.hpp"
@@ -13,16 +12,6 @@ namespace {
 
 constexpr double font_size = 7, line_step = 8.6, row_gap = 1.4, sample_width = 14, text_indent = 18, column_gap = 10;
 constexpr std::size_t max_columns = 5;
-
-double row_height(std::size_t lines) {
-  return static_cast<double>(lines) * line_step + row_gap;
-}
-
-double entry_width(const Layer* layer, const std::vector<std::string>& lines) {
-  double widest_line = 0;
-  for (const std::string& line : lines) widest_line = std::max(widest_line, text_width(line, font_size));
-  return widest_line + (layer == nullptr ? 0 : text_indent);
-}
 
 void add_sample(std::string& svg, const Layer& layer) {
   switch (layer.kind) {
@@ -109,65 +98,51 @@ Legend::Legend(const Figure& figure, double width, const Rectangle* window) {
     if (window == nullptr || is_seen(layer, *window)) add(&layer, layer.legend);
   }
   for (const std::string& note : figure.notes) add(nullptr, note);
-  arrange(width);
-}
-
-// The largest number of columns, each as wide as its longest text, filled row by row.
-void Legend::arrange(double width) {
-  for (std::size_t count = std::min(entries_.size(), max_columns); count > 1; --count) {
-    if (fits_in_columns(count, width)) return;
-  }
-  arrange_in_halves(width);
-}
-
-bool Legend::fits_in_columns(std::size_t count, double width) {
-  std::vector<double> widths(count, 0.0);
-  for (std::size_t k = 0; k < entries_.size(); ++k) {
-    widths[k % count] = std::max(widths[k % count], entry_width(entries_[k].layer, entries_[k].lines));
-  }
-  const double total = std::accumulate(widths.begin(), widths.end(), column_gap * static_cast<double>(count - 1));
-  if (total > width) return false;
-  for (std::size_t first = 0; first < entries_.size(); first += count) {
-    double x = 0;
-    std::size_t lines = 1;
-    for (std::size_t k = first; k < std::min(entries_.size(), first + count); ++k) {
-      entries_[k].x = x;
-      entries_[k].y = height_;
-      x += widths[k - first] + column_gap;
-      lines = std::max(lines, entries_[k].lines.size());
-    }
-    height_ += row_height(lines);
-  }
-  return true;
-}
-
-// Long texts have rows of their own, two short ones that follow each other share a row.
-void Legend::arrange_in_halves(double width) {
-  const double half = 0.5 * (width + column_gap);
-  const auto is_short = [&](const Entry& entry) {
-    return entry.lines.size() == 1 && entry_width(entry.layer, entry.lines) <= half - column_gap;
+  if (entries_.empty()) return;
+  // In columns of one width; a longer entry takes several of them. The number of columns is the one with fewest rows.
+  const auto entry_width = [](const Entry& entry) {
+    double widest = 0;
+    for (const std::string& line : entry.lines) widest = std::max(widest, text_width(line, font_size));
+    return widest + (entry.layer == nullptr ? 0 : text_indent);
   };
-  for (std::size_t k = 0; k < entries_.size(); ++k) {
-    entries_[k].x = 0;
-    entries_[k].y = height_;
-    const double row = row_height(entries_[k].lines.size());
-    if (k + 1 < entries_.size() && is_short(entries_[k]) && is_short(entries_[k + 1])) {
-      ++k;
-      entries_[k].x = half;
-      entries_[k].y = height_;
+  const auto arrange = [&](std::size_t columns) {
+    const double step = (width + column_gap) / static_cast<double>(columns);
+    std::vector<Position> positions;
+    std::size_t row = 0, next = 0;
+    for (const Entry& entry : entries_) {
+      const auto wanted = static_cast<std::size_t>(std::ceil((entry_width(entry) + column_gap) / step));
+      const std::size_t span = std::clamp<std::size_t>(wanted, 1, columns);
+      if (next + span > columns) ++row, next = 0;
+      positions.push_back({row, static_cast<double>(next) * step});
+      next += span;
     }
-    height_ += row;
+    return positions;
+  };
+  positions_ = arrange(1);
+  for (std::size_t columns = 2; columns <= max_columns; ++columns) {
+    std::vector<Position> positions = arrange(columns);
+    if (positions.back().row < positions_.back().row) positions_ = std::move(positions);
   }
+  double y = 0;
+  for (std::size_t k = 0; k < entries_.size();) {
+    row_tops_.push_back(y);
+    std::size_t lines = 1;
+    const std::size_t row = positions_[k].row;
+    for (; k < entries_.size() && positions_[k].row == row; ++k) lines = std::max(lines, entries_[k].lines.size());
+    y += static_cast<double>(lines) * line_step + row_gap;
+  }
+  row_tops_.push_back(y);
 }
 
 double Legend::height() const {
-  return height_;
+  return row_tops_.empty() ? 0 : row_tops_.back();
 }
 
 void Legend::draw(std::string& svg, double x, double y) const {
-  for (const Entry& entry : entries_) {
-    append_all(svg, "<g transform=\"translate(", hundredth(x + entry.x), " ", hundredth(y + entry.y + line_step / 2),
-               ")\">");
+  for (std::size_t k = 0; k < entries_.size(); ++k) {
+    const Entry& entry = entries_[k];
+    append_all(svg, "<g transform=\"translate(", hundredth(x + positions_[k].x), " ",
+               hundredth(y + row_tops_[positions_[k].row] + line_step / 2), ")\">");
     if (entry.layer != nullptr) add_sample(svg, *entry.layer);
     for (std::size_t line = 0; line < entry.lines.size(); ++line) {
       add_text(svg, entry.layer != nullptr ? text_indent : 0, 0.36 * font_size + static_cast<double>(line) * line_step,

@@ -22,14 +22,14 @@ class Legend {
   struct Entry {
     const Layer* layer = nullptr;  // null: a note
     std::vector<std::string> lines{};
-    double x = 0, y = 0;
   };
-  void arrange(double width);
-  [[nodiscard]] bool fits_in_columns(std::size_t count, double width);
-  void arrange_in_halves(double width);
-
+  struct Position {
+    std::size_t row;
+    double x;
+  };
   std::vector<Entry> entries_;
-  double height_ = 0;
+  std::vector<Position> positions_;  // where each entry is
+  std::vector<double> row_tops_;     // and one past the last
 };
 
 /// A dot of a layer about (x, y), all lengths times `scale`.

@@ -39,7 +39,7 @@ Option add_further_picture(OptionParser& parser, const char* names, std::string&
 /// Writes a picture in the format of its ending, .svg, .pdf or .png (400 pixels an inch); SVG without one. Throws
 /// DataError where the file cannot be written, or a library that converts it is missing.
 void write_figure(const std::string& path, const Figure& figure, const FigureStyle& style);
-/// Writes the files of the request.
+/// Writes the files of the request. Throws UsageError for an inset that is not a part of the window.
 void write_figure(const PictureRequest& request, const Figure& figure);
 
 }  // namespace lober::cli

@@ -181,13 +181,7 @@ Figure turnstile_figure(const TransportReport& report, const PictureRequest& how
     show(turnstile.tangle(), &turnstile == &first ? std::span(leaving) : std::span(turnstile.outwards()));
     show(turnstile.tangle(), turnstile.inwards());
   }
-  for (const Point corner : {Point{boundaries.min_x, boundaries.min_y}, Point{boundaries.max_x, boundaries.max_y}}) {
-    figure.window.add(corner);
-  }
-  const Rectangle areas = area_box(shown);
-  figure.window.add({areas.min_x, areas.min_y});
-  figure.window.add({areas.max_x, areas.max_y});
-  figure.window = with_margin(figure.window);
+  figure.window = with_margin(box_about(boundaries, area_box(shown)));
   for (std::size_t k = 0; k < turnstiles.size(); ++k) {
     add_boundary(figure, turnstiles[k].tangle(), std::fabs(found.boundaries[k].enclosed.value));
   }

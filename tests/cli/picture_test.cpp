@@ -180,5 +180,115 @@ TEST_F(PictureProgram, WritesEachFormat) {
   EXPECT_EQ(read("p.pdf"), first);
 }
 
+TEST_F(PictureProgram, RefusesAnInsetThatIsNotInTheWindow) {
+  const std::string curve = std::string(LOBER_SOURCE_DIR) + "/examples/six-crossings.dat";
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"overlay", curve + "#C1", curve + "#C2", "--picture", "p.svg"});
+    return run(more);
+  };
+  const Outcome outside = with({"--inset", "50,50,60,60"});
+  EXPECT_EQ(outside.status, 2);
+  EXPECT_NE(outside.err.find("--inset 50,50,60,60 lies outside of the part of the plane that the picture shows, -1"),
+            std::string::npos)
+      << outside.err;
+  EXPECT_FALSE(exists("p.svg"));
+  const Outcome beyond = with({"--inset", "4,-1,9,1", "--window", "0,-2,6,2"});
+  EXPECT_EQ(beyond.status, 2);
+  EXPECT_NE(beyond.err.find("reaches beyond the part of the plane that the picture shows, 0,-2,6,2"), std::string::npos)
+      << beyond.err;
+  EXPECT_EQ(with({"--inset", "4,-1,6,1", "--window", "0,-2,6,2"}).status, 0);
+  const Outcome nothing = with({"--window", "100,100,101,101"});
+  EXPECT_EQ(nothing.status, 0);
+  EXPECT_NE(nothing.err.find("shows nothing; all is in -1"), std::string::npos) << nothing.err;
+}
+
+// The text of an axis: those of y are turned.
+bool has_text(const std::string& svg, const std::string& text) {
+  return svg.find(">" + text + "</text>") != std::string::npos;
+}
+
+TEST_F(PictureProgram, NamesAxesAsTheFileDoes) {
+  const std::string square = "0,0\n1,0\n1,1\n0,1\n";
+  write("plain.csv", square);
+  write("units.csv", "easting (km), northing [km]\n" + square);
+  write("quoted.csv", "\"depth, down\",\"<b> & time (s)\"\n" + square);
+  write("degrees.csv", "longitude,latitude\n" + square);
+  write("tecplot.dat", "VARIABLES=\"q\" \"p [kg m/s]\"\nZONE T=\"a\"\n0 0\n1 0\n1 1\n0 1\n");
+  const auto picture = [&](const std::string& file) {
+    const Outcome outcome = run({"winding", file, "--grid", "4,4", "--picture", "p.svg"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return read("p.svg");
+  };
+  const auto names = [&](const std::string& file, const std::string& x, const std::string& y) {
+    const std::string svg = picture(file);
+    EXPECT_TRUE(has_text(svg, x)) << file;
+    EXPECT_TRUE(has_text(svg, y)) << file;
+  };
+  names("plain.csv", "x", "y");
+  names("units.csv", "easting (km)", "northing (km)");
+  names("quoted.csv", "depth, down", "&lt;b&gt; &amp; time (s)");
+  names("degrees.csv", "longitude (degrees)", "latitude (degrees)");
+  names("tecplot.dat", "q", "p (kg m/s)");
+}
+
+TEST_F(PictureProgram, DrawsSystemsByNameOnly) {
+  EXPECT_EQ(run({"systems", "--picture", "p.svg"}).status, 2);
+  ASSERT_EQ(run({"systems", "henon", "--picture", "p.svg"}).status, 0);
+  const std::string svg = read("p.svg");
+  for (const char* const text :
+       {"henon: k = 0.5", "U, unstable manifolds", "1 saddle, \u03bb &gt; 0", "1 elliptic point"}) {
+    EXPECT_TRUE(has_text(svg, text)) << text;
+  }
+  // The same for any number of threads.
+  ASSERT_EQ(run({"systems", "henon", "--picture", "q.svg"}).status, 0);
+  EXPECT_EQ(read("q.svg"), svg);
+}
+
+class BatchPicture : public ProgramTest {
+ protected:
+  BatchPicture() {
+    write("job.toml",
+          "operation = \"transport\"\noptions = { system = \"henon\", iterates = 1 }\n"
+          "grid = { parameters.k = [0.8, 0.9, 1.0], tolerance = [1e-2, 1e-3] }\n");
+    EXPECT_EQ(run({"batch", "run", "job.toml"}).status, 0);
+  }
+  [[nodiscard]] Outcome picture(std::vector<std::string> more) const {
+    more.insert(more.begin(), {"batch", "picture", "job.results", "--picture", "p.svg"});
+    return run(more);
+  }
+};
+
+TEST_F(BatchPicture, DrawsAResultOverTwoOptionsOrOne) {
+  ASSERT_EQ(picture({"--data", "p.csv"}).status, 0);
+  std::string svg = read("p.svg");
+  for (const char* const text : {"henon: lobe_area12", "k", "tolerance", "0.001", "0.9"}) {
+    EXPECT_TRUE(has_text(svg, text)) << text;
+  }
+  // Each job is a box, two corners.
+  const std::string data = read("p.csv");
+  EXPECT_EQ(std::count(data.begin(), data.end(), '\n'), 1 + 2 * 6);
+  ASSERT_EQ(picture({"--where", "tolerance=0.001", "--value", "points_u"}).status, 0);
+  svg = read("p.svg");
+  EXPECT_TRUE(has_text(svg, "points_u"));
+  EXPECT_TRUE(has_text(svg, "3 jobs"));
+}
+
+TEST_F(BatchPicture, SaysWhatToChoose) {
+  const auto refused = [&](const std::vector<std::string>& more, const std::string& why) {
+    const Outcome outcome = picture(more);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
+  };
+  refused({"--x", "kk"}, "--x kk: the jobs have no such value; there are ");
+  refused({"--value", "lobe_area21_"}, "did you mean lobe_area21?");
+  refused({"--x", "k", "--y", "k"}, "several jobs have the same k = 0.8 and k = 0.8; they differ in tolerance");
+  refused({"--where", "k=7"}, "no job that is done has this value");
+  refused({"--where", "k"}, "NAME=VALUE");
+  refused({"--overlaps", "0"}, "the job has no overlaps of lobes");
+  refused({"--overlaps", "99"}, "no job of this number is done");
+  refused({"--operation", "overlay"}, "the store has no job of it; there are transport");
+  EXPECT_EQ(run({"batch", "picture", "job.results"}).status, 2);
+}
+
 }  // namespace
 }  // namespace lober::cli
