@@ -86,7 +86,9 @@ std::optional<EscapeRequest> parse_escape(const std::vector<std::string>& argume
   add_table_option(parser);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return std::nullopt;
-  if (!request.tubes.empty()) (void)is_vtk(request.tubes);
+  if (!request.tubes.empty() && is_vtk(request.tubes) && !request.trajectories.empty()) {
+    throw UsageError("--trajectory belongs to the picture of tubes; give --tubes FILE the ending .svg, .pdf or .png");
+  }
   request.settings = options.settings();
   if (!request.saddles.empty()) {
     std::string all;

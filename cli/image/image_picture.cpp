@@ -26,6 +26,11 @@ std::string power_text(int iterate, const char* of) {
   return text + "(" + of + ")";
 }
 
+// B, or of two boundaries B_1 and B_2.
+const char* curve_name(const operations::CurveImages& found, std::size_t curve) {
+  return found.bips.size() < 2 ? "B" : curve == 0 ? "B_{1}" : "B_{2}";
+}
+
 // The bip of a boundary and its images, which are the bips of the boundary's images.
 void add_bips(Figure& figure, const ImageReport& report) {
   const operations::CurveImages& found = report.found();
@@ -76,7 +81,8 @@ void add_names(Figure& figure, const operations::CurveImages& found) {
       }
     }
     if (farthest > 0.01) {
-      figure.labels.push_back({.text = power_text(one.image.iterate, "B"), .at = at, .radius = 0.5, .size = 7});
+      figure.labels.push_back(
+          {.text = power_text(one.image.iterate, curve_name(found, one.curve)), .at = at, .radius = 0.5, .size = 7});
     }
   }
 }
@@ -107,7 +113,7 @@ Figure image_figure(const ImageReport& report) {
     for (const auto& one : found.images) {
       const int iterate = one.image.iterate;
       if (std::abs(iterate) != distance) continue;
-      std::string text = power_text(iterate, one.curve == 0 ? "B" : "B_{2}") + ": " +
+      std::string text = power_text(iterate, curve_name(found, one.curve)) + ": " +
                          std::to_string(one.image.points.size()) + " points";
       if (one.parts.size() > 1) text += " in " + std::to_string(one.parts.size()) + " parts";
       Layer layer = line_layer(one.name(), text, iterate_colour(iterate), iterate_width(iterate));
@@ -117,7 +123,9 @@ Figure image_figure(const ImageReport& report) {
   }
   add_bips(figure, report);
   add_names(figure, found);
-  figure.notes.push_back(found.bips.empty() ? "B: " + report.curve() : "B: boundary with the bip q");
+  figure.notes.push_back(found.bips.empty()       ? "B: " + report.curve()
+                         : found.bips.size() == 1 ? "B: boundary with the bip q"
+                                                  : "B_{1}, B_{2}: boundaries with the bips q_{1}, q_{2}");
   return figure;
 }
 

@@ -119,6 +119,7 @@ TEST_F(EscapeProgram, WritesTubesAsSurfaces) {
   const Outcome outside = with({"--trajectory=0.2,4"});
   EXPECT_EQ(outside.status, 1);
   EXPECT_NE(outside.err.find("no point of energy 0.28"), std::string::npos) << outside.err;
+  EXPECT_EQ(run({"escape", "capsize", "--crossings", "0", "--tubes", "t.vtk", "--trajectory=-0.1,0.28"}).status, 2);
   const Outcome refused = run({"escape", "capsize", "--tubes", "tubes.dat"});
   EXPECT_EQ(refused.status, 2);
   EXPECT_NE(refused.err.find("use one of these endings"), std::string::npos) << refused.err;
