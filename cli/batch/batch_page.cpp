@@ -46,10 +46,10 @@ void wait(double seconds) {
 
 }  // namespace
 
-std::string jobs_json(const std::string& path, ExportCounts& counts) {
+std::string jobs_json(const std::string& path, ExportCounts& counts, const lober::Progress& progress) {
   const std::filesystem::path lines =
       std::filesystem::temp_directory_path() / ("lober-page-" + std::to_string(getpid()) + ".jsonl");
-  counts = detail::export_results(detail::Store::open(path), lines.string(), ExportFormat::json_lines);
+  counts = detail::export_results(detail::Store::open(path), lines.string(), ExportFormat::json_lines, {}, progress);
   std::string json =
       fmt::format("{{\"done\":{},\"failed\":{},\"missing\":{},\"jobs\":[", counts.done, counts.failed, counts.missing);
   std::ifstream file(lines);

@@ -12,6 +12,7 @@
 #include "cli/picture/picture_options.hpp"
 #include "cli/picture/system_figure.hpp"
 #include "cli/program/command_line.hpp"
+#include "cli/program/progress.hpp"
 #include "cli/report/report.hpp"
 #include "engine/base/nearest_word.hpp"
 #include "lober/base/error.hpp"
@@ -305,7 +306,10 @@ void run_batch_picture(const std::vector<std::string>& arguments) {
   const std::vector<Output> outputs = checked_outputs({}, std::vector{request.store}, request.picture.outputs());
   if (outputs.empty())
     throw UsageError("the picture is missing; give --picture or --data (see lober batch picture --help)");
-  const JobValues jobs(request.store, request.operation);
+  Progress progress;
+  progress.phase("results", 0, 0.4);
+  const JobValues jobs(request.store, request.operation, told_to(progress));
+  progress.phase("drawing", 0.8, 1);
   write_figure(request.picture, overlaps.given() ? overlaps_figure(request, jobs) : jobs_figure(request, jobs));
 }
 

@@ -20,9 +20,9 @@ std::string short_option(const std::string& key) {
 
 }  // namespace
 
-JobValues::JobValues(const std::string& store, const std::string& operation) {
+JobValues::JobValues(const std::string& store, const std::string& operation, const lober::Progress& progress) {
   ExportCounts counts;
-  const Json exported = Json::parse(jobs_json(store, counts));
+  const Json exported = Json::parse(jobs_json(store, counts, progress));
   std::vector<std::string> operations;
   for (const Json& job : exported["jobs"]) {
     const std::string name = job["operation"];

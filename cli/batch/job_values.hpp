@@ -6,14 +6,16 @@
 #include <vector>
 
 #include "cli/report/json.hpp"
+#include "lober/base/progress.hpp"
 
 namespace lober::cli {
 
 /// The jobs that are done, in the order of the plan.
 class JobValues {
  public:
-  /// Reads those of one operation, which has to be named where the store has several. Throws DataError, UsageError.
-  JobValues(const std::string& store, const std::string& operation);
+  /// Reads those of one operation, which has to be named where the store has several. Throws DataError, UsageError,
+  /// Cancelled.
+  JobValues(const std::string& store, const std::string& operation, const lober::Progress& progress);
 
   [[nodiscard]] std::size_t size() const { return jobs_.size(); }
   /// The value of a job under the name of a column, of an option, or of a parameter: "K" for "options.parameters.K";

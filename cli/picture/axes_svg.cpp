@@ -1,6 +1,7 @@
 #include "cli/picture/axes_svg.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "cli/picture/rich_text.hpp"
 #include "cli/report/text.hpp"
@@ -18,10 +19,14 @@ std::string shortened_category(const std::string& name) {
   return "\u2026" + name.substr(begin);  // names of files differ at their ends
 }
 
-// Every n-th name, n as small as can be, of those between low and high, so that there is room for them.
+// Every n-th name, n = 1, 2, 5, 10, ... as small as can be, of those between low and high, so that there is room for
+// them.
 template <typename Fits>
 Ticks category_ticks(double low, double high, const std::vector<std::string>& names, const Fits& fits) {
-  for (std::size_t every = 1;; ++every) {
+  constexpr std::array<std::size_t, 3> factors{1, 2, 5};
+  for (std::size_t step = 0;; ++step) {
+    std::size_t every = factors[step % factors.size()];
+    for (std::size_t k = 0; k < step / factors.size(); ++k) every *= 10;
     Ticks ticks;
     for (std::size_t k = 0; k < names.size(); k += every) {
       const auto at = static_cast<double>(k);

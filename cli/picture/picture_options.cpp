@@ -127,7 +127,7 @@ Option add_picture_options(OptionParser& parser, PictureRequest& request, const 
     parser
         .add_flag("--labels", request.labels,
                   ("Name " + named_things +
-                   " in the picture, as far as there is room (default: where there are at most 30 lobes).")
+                   " in the picture, as far as there is room (default: where there are at most 30 lobes or points).")
                       .c_str())
         .needs(picture);
     parser.add_flag("--no-labels", request.no_labels, "Name nothing in the picture.").needs(picture);

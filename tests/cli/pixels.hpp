@@ -19,8 +19,8 @@ struct Pixels {
   }
 };
 
-/// Reads and writes PNG by cairo (cli/picture/conversion.hpp says whether it is there). What is written has sixteen
-/// values a colour, so that references stay small.
+/// Reads and writes PNG by cairo (cli/picture/conversion.hpp says whether it is there). Written colours
+/// have sixteen values, so that references stay small.
 [[nodiscard]] Pixels pixels_of_png(const std::string& bytes);
 [[nodiscard]] std::string small_png_of(const Pixels& pixels);
 
