@@ -5,7 +5,7 @@
 #include <charconv>
 
 #include "cli/report/text.hpp"
-#include "engine/dynamics/levels/section_edge.hpp"
+#include "engine/operations/section_edge.hpp"
 #include "lober/curve/drawing.hpp"
 
 namespace lober::cli {

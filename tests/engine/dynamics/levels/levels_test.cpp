@@ -7,7 +7,6 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/dynamics/levels/section_edge.hpp"
 #include "lober/base/error.hpp"
 #include "lober/base/threads.hpp"
 #include "lober/curve/curve.hpp"
@@ -140,22 +139,6 @@ TEST(EnergyOf, IsTheStreamFunctionOfThatMoment) {
   const System damped = make_system("duffing", {{"delta", 0.1}});
   EXPECT_THROW((void)energy_of(*damped.flow, 0), UsageError);
   EXPECT_THROW((void)equilibrium_near(*pair.flow, {1e3, 1e3}, 0), DataError);
-}
-
-// The section x = 0 of the ship has the area pi e R in (y, vy).
-TEST(SectionEdge, BoundsTheSectionOfTheShip) {
-  const System ship = make_system("capsize", {{"energy", 0.25307}});
-  const auto edge = detail::section_edge(*ship.flow, *ship.section, 0.25307, Rectangle::of({-1, -1}, {1, 1}));
-  ASSERT_EQ(edge.size(), 1U);
-  EXPECT_TRUE(edge[0].closed);
-  EXPECT_NEAR(std::fabs(area_inside(edge[0])), std::numbers::pi * 0.25307 * 1.6, 1e-3);
-  for (const Point& at : edge[0].points) {
-    EXPECT_FALSE(ship.map->is_defined_at({1.001 * at.x, 1.001 * at.y}));
-    EXPECT_TRUE(ship.map->is_defined_at({0.999 * at.x, 0.999 * at.y}));
-  }
-  // A flow of three dimensions has none.
-  const System abc = make_system("abc");
-  EXPECT_TRUE(detail::section_edge(*abc.flow, *abc.section, 0, Rectangle::of({-1, -1}, {1, 1})).empty());
 }
 
 }  // namespace

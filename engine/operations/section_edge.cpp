@@ -1,4 +1,4 @@
-#include "engine/dynamics/levels/section_edge.hpp"
+#include "engine/operations/section_edge.hpp"
 
 #include <cmath>
 #include <limits>
