@@ -6,7 +6,7 @@
 namespace lober::detail {
 namespace {
 
-constexpr std::size_t cells = 240;
+constexpr std::size_t edge_cells = 240;
 
 // From three values of the Hamiltonian, a v^2 + b v + c in the solved coordinate v.
 double least_energy(const Flow& flow, const Section& section, Point at) {
@@ -30,7 +30,7 @@ double least_energy(const Flow& flow, const Section& section, Point at) {
 
 std::vector<LevelCurve> section_edge(const Flow& flow, const Section& section, double energy, const Rectangle& window) {
   if (section.solved < 0) return {};
-  const LevelGrid grid([&](Point at) { return least_energy(flow, section, at); }, window, cells, cells);
+  const LevelGrid grid([&](Point at) { return least_energy(flow, section, at); }, window, edge_cells, edge_cells);
   return grid.curves(energy);
 }
 
