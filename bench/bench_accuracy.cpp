@@ -44,7 +44,7 @@ std::string observed_order(const std::vector<AccuracyPoint>& points) {
 AccuracyPanel panel_of(const AccuracyScene& kind) {
   AccuracyPanel panel{std::string(kind.name) + ": " + std::string(kind.description), {}};
   for (const AccuracyMethod& method : accuracy_methods()) {
-    panel.curves.push_back({std::string(method.name), std::string(method.colour), {}});
+    panel.curves.push_back({std::string(method.name), method.style, {}});
   }
   for (const std::size_t size : sizes) {
     const Scene scene = kind.make(size);
@@ -92,7 +92,7 @@ int run(int count, char** arguments) {
   if (!svg.empty()) {
     std::ofstream file(svg);
     write_plot(file, panels,
-               "run time in seconds (one thread) to the right, relative error upwards; each line N = 125 ... 64000");
+               {"run time on one thread", "relative error of the area", "each line: N = 125 to 64000 points a curve"});
     if (!file.flush()) throw std::runtime_error("cannot write " + svg);
   }
   return 0;

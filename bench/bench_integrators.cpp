@@ -99,12 +99,24 @@ std::vector<WorkPrecision> compare(const Problem<Field>& problem, int repeat) {
 }
 
 AccuracyPanel panel_of(const std::string& title, const std::vector<WorkPrecision>& curves) {
-  constexpr std::array colours{"#888888", "#bbbbbb", "#000000", "#1f77b4", "#17becf", "#ff9896",
-                               "#d62728", "#8c1414", "#c5e8b7", "#83d475", "#2eb62c", "#0a6b0a"};
+  // A colour for each kind of method, a shape for each of a kind.
+  using enum cli::DotShape;
+  constexpr std::array<CurveStyle, 12> styles{{{palette::boundary, circle},
+                                               {palette::boundary, square},
+                                               {palette::ink, circle},
+                                               {palette::stable, circle},
+                                               {palette::right_of_unstable, square},
+                                               {palette::leaving, circle},
+                                               {palette::leaving, square},
+                                               {palette::leaving, triangle},
+                                               {palette::entering, circle},
+                                               {palette::entering, square},
+                                               {palette::entering, triangle},
+                                               {palette::entering, cross}}};
   AccuracyPanel panel{title, {}};
   // SciPy would take half of the picture for itself.
-  for (std::size_t c = 0; c < colours.size(); ++c) {
-    AccuracyCurve curve{curves[c].method, colours[c], {}};
+  for (std::size_t c = 0; c < styles.size(); ++c) {
+    AccuracyCurve curve{curves[c].method, styles[c], {}};
     for (const Measurement& point : curves[c].points) curve.points.push_back({1, 1e-9 * point.nanoseconds, point.rms});
     panel.curves.push_back(curve);
   }
@@ -146,8 +158,7 @@ void run(const Options& options) {
                                           report(three_body_problem(points_in_lanes), options.repeat)};
   if (options.plot.empty()) return;
   std::ofstream file(options.plot);
-  write_plot(file, panels,
-             "run time a point in seconds (one thread) to the right, rms error upwards; each line 1e-8 ... 1e-14");
+  write_plot(file, panels, {"run time a point on one thread", "rms error", "each line: tolerances from 1e-8 to 1e-14"});
   if (!file.flush()) throw std::runtime_error("cannot write " + options.plot);
 }
 

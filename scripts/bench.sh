@@ -15,7 +15,8 @@ esac
 tables=$(mktemp)
 older=$(mktemp)
 draft=$(mktemp)
-trap 'rm -f "$tables" "$older" "$draft"' EXIT
+curves=$(mktemp -d)
+trap 'rm -rf "$tables" "$older" "$draft" "$curves"' EXIT
 
 build/bin/bench_overlay "${overlay[@]}" --markdown "$tables"
 # The same without AVX-512, where there is any.
@@ -45,6 +46,13 @@ commit=$(git log -1 --format='%h of %cs' 2>/dev/null || echo 'no commit yet')
   echo 'One thread; error of [C1 \ C2] relative to the true area of the smooth curves, for each number of points a curve.'
   echo
   build/bin/bench_accuracy --svg docs/accuracy.svg
+  echo '## Settings of the densifier'
+  echo
+  echo 'As in figure 8 of Naik, Lekien & Ross (2017): the difference of the area from the one with segments split where the curves meet,'
+  echo 'points inserted, microseconds on one thread. Written by `bench_settings --svg docs/paper/fig-08.svg`, which shows the same as a picture.'
+  echo
+  # shellcheck disable=SC2046
+  build/bin/bench_settings $(LOBER=build/bin/lober scripts/densifier-pairs.sh "$curves") --svg docs/paper/fig-08.svg
   echo '## Integrators'
   echo
   echo 'One period of forced flows, a time of 7 of autonomous ones: what an error costs, method by method, all in the vectors of the processor'

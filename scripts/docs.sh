@@ -2,6 +2,7 @@
 # The figures and the numbers of the documents, made anew from the program and from bench/RESULTS.md.
 # usage: docs.sh make [cheap|paper]   writes docs/*.svg, docs/paper/*, the blocks of numbers and what ```console blocks show
 #        docs.sh check [cheap|paper]  makes them elsewhere, and fails when a committed one differs
+# The pictures of the gallery, docs/gallery/*.svg, are those of docs/gallery/pictures.txt.
 # cheap: only those that take seconds. paper: only what docs/paper.md shows, cheap or not. In place of these: one document
 # or figure.
 #
@@ -16,57 +17,66 @@ trap 'rm -rf "$work"' EXIT
 export LOBER=$lober
 
 # File, cheap or costly, and the command: its last argument is the picture; what goes to a .txt is what it prints. Files
-# of work/ are what later commands read, as @work. @script NAME: what scripts/docs-figures/NAME.sh prints.
+# of work/ are what later commands read, as @work. Texts with blanks stand in double quotes.
 figures='
 docs/demo.svg                       cheap   overlay examples/resonance.dat examples/resonance_image.dat --svg
 docs/tangle.svg                     cheap   tangle examples/manifolds.dat --smooth --overlaps --svg
 docs/section.svg                    cheap   section pendulum --orbits 40 --iterates 120 --svg
 docs/section-abc.svg                cheap   section abc --orbits 400 --iterates 300 --svg
 docs/winding.svg                    cheap   winding examples/loops.csv --grid 300,300 --svg
-docs/paper/fig-01.svg        cheap   tangle --system ovp --param gamma=0.5 --before 2 --after 1 --tolerance 1e-4 --labels --svg
+docs/paper/fig-01.svg        cheap   transport ovp --param gamma=0.5 --all-regions --iterates 1 --tolerance 1e-4 --picture
 docs/paper/fig-02a.svg       cheap   tangle --system henon --before 2 --after 2 --tolerance 1e-4 --labels --window=-2.4,-2.2,3,2.6 --svg
 docs/paper/fig-02bc.svg      cheap   overlay examples/six-crossings.dat#C1 examples/six-crossings.dat#C2 --svg
 docs/paper/fig-03.svg        cheap   overlay examples/resonance.dat examples/resonance_image.dat --classes --window 4.45,2.95,4.95,3.3 --svg
 docs/paper/fig-04.svg        cheap   overlay examples/six-crossings.dat#C1 examples/six-crossings.dat#C2 --classes --svg
 docs/paper/tables-1-4.txt    cheap   overlay examples/six-crossings.dat#C1 examples/six-crossings.dat#C2 --classes
-work/boundaries.dat          cheap   image ovp --boundary --param gamma=0.5 --iterates -1:0 --tolerance 5e-3 -o
-docs/paper/fig-05a.svg       cheap   overlay @work/boundaries.dat#1 @work/boundaries.dat#0 --window 0.6,0.3,1.5,1.1 --svg
-docs/paper/fig-05b.svg       cheap   overlay @work/boundaries.dat#1 @work/boundaries.dat#0 --window -0.298,1.972,-0.286,1.978 --svg
-docs/paper/fig-06.svg        cheap   tangle --system pcr3bp --tolerance 1e-4 --labels --svg
+work/boundaries.dat          cheap   image ovp --boundary --param gamma=0.5 --iterates -1:0 --tolerance 1e-4 -o
+work/B.dat                   cheap   densify @work/boundaries.dat#1 --simplify 0.05 -o
+work/pre-image.dat           cheap   densify @work/boundaries.dat#0 --simplify 0.05 -o
+docs/paper/fig-05.svg        cheap   overlay @work/B.dat @work/pre-image.dat --inset=-1.33,0.98,-1.05,1.26 --labels --title "C_{1}: the boundary B(q), C_{2}: its pre-image, coarsely" --svg
+docs/paper/fig-06a.svg       cheap   tangle --system pcr3bp --tolerance 1e-4 --window=-1.56,0.165,-1.24,0.205 --labels --svg
+docs/paper/fig-06b.svg       cheap   tangle --system pcr3bp --tolerance 1e-4 --labels --svg
 docs/paper/fig-07.svg        cheap   interior examples/six-crossings.dat#C1 examples/six-crossings.dat#C2 --svg
 docs/paper/fig-09a.svg       cheap   levels ovp --param eps=0 --box=-3,-3,3,3 --svg
-docs/paper/fig-11a.svg       cheap   tangle --system ovp --param gamma=0.5 --after 1 --before 2 --tolerance 1e-4 --svg
-docs/paper/fig-11b.svg       cheap   tangle --system ovp --param gamma=1.81 --after 1 --before 2 --tolerance 1e-4 --svg
-docs/paper/fig-11c.svg       cheap   tangle --system ovp1 --param gamma=0.5 --after 1 --before 2 --tolerance 1e-4 --svg
-docs/paper/fig-11d.svg       cheap   tangle --system ovp1 --param gamma=1.81 --after 1 --before 2 --tolerance 1e-4 --svg
+docs/paper/fig-11a.svg       cheap   tangle --system ovp --param gamma=0.5 --after 1 --before 2 --tolerance 1e-4 --inset=-1.6,-0.05,-0.85,0.9 --svg
+docs/paper/fig-11b.svg       cheap   tangle --system ovp --param gamma=1.81 --after 1 --before 2 --tolerance 1e-4 --window=-2,-0.1,2.2,2.1 --inset=-1.7,-0.05,-1.1,0.6 --svg
+docs/paper/fig-11c.svg       cheap   tangle --system ovp1 --param gamma=0.5 --after 1 --before 2 --tolerance 1e-4 --inset=-1.6,-0.05,-0.85,0.9 --svg
+docs/paper/fig-11d.svg       cheap   tangle --system ovp1 --param gamma=1.81 --after 1 --before 2 --tolerance 1e-4 --window=-2,-0.1,2.2,2.1 --inset=-1.7,-0.05,-1.1,0.6 --svg
 docs/paper/fig-11e.svg       cheap   tangle --system ovp --param gamma=0.5 --param eps=0.5 --after 1 --tolerance 1e-4 --svg
-docs/paper/fig-11a-zoom.svg  cheap   tangle --system ovp --param gamma=0.5 --after 1 --before 2 --tolerance 1e-4 --window=-1.75,-0.05,-0.75,0.95 --svg
-docs/paper/fig-11b-zoom.svg  cheap   tangle --system ovp --param gamma=1.81 --after 1 --before 2 --tolerance 1e-4 --window=-1.8,-0.05,-0.8,0.95 --svg
-docs/paper/fig-12-zoom.svg   cheap   image ovp --boundary --param gamma=0.5 --iterates -4:0 --tolerance 1e-4 --window 0.6,-0.02,1.6,0.98 --svg
-docs/paper/fig-13-zoom.svg   cheap   transport ovp --param gamma=0.5 --iterates 5 --tolerance 1e-4 --window=-1.75,-0.05,-0.75,0.95 --picture
-docs/paper/fig-08.svg        cheap   @script densifier-bars
+docs/paper/fig-11f.svg       cheap   tangle --system ovp --param gamma=1.81 --param eps=0.5 --tolerance 1e-3 --max-work 1e9 --svg
+work/U-1.dat                 cheap   grow ovp1 --param gamma=0.5 --param eps=0.5 --unstable --length 4.6 --tolerance 1e-4 --box=-4,-4,4,4 -o
+work/S-1.dat                 cheap   grow ovp1 --param gamma=0.5 --param eps=0.5 --stable --length 4.6 --tolerance 1e-4 --box=-4,-4,4,4 -o
+docs/paper/fig-11g.svg       cheap   tangle @work/U-1.dat @work/S-1.dat --title "ovp1: gamma = 0.5, eps = 0.5, phase = 0" --svg
+work/U-2.dat                 cheap   grow ovp1 --param gamma=1.81 --param eps=0.5 --unstable --length 4 --tolerance 1e-4 --box=-4,-4,4,4 -o
+work/S-2.dat                 cheap   grow ovp1 --param gamma=1.81 --param eps=0.5 --stable --length 4 --tolerance 1e-4 --box=-4,-4,4,4 -o
+docs/paper/fig-11h.svg       cheap   tangle @work/U-2.dat @work/S-2.dat --title "ovp1: gamma = 1.81, eps = 0.5, phase = 0" --svg
 docs/paper/fig-12.svg        cheap   image ovp --boundary --param gamma=0.5 --iterates -4:0 --tolerance 1e-4 --svg
-docs/paper/fig-13.svg        cheap   transport ovp --param gamma=0.5 --iterates 5 --tolerance 1e-4 --picture
+docs/paper/fig-12-zoom.svg   cheap   image ovp --boundary --param gamma=0.5 --iterates -4:0 --tolerance 1e-4 --window 0.7,-0.02,1.6,0.78 --svg
+docs/paper/fig-13.svg        cheap   transport ovp --param gamma=0.5 --iterates 5 --tolerance 1e-4 --inset=-1.3,0.05,-0.85,0.7 --picture
+docs/paper/fig-13b.svg       cheap   transport ovp --param gamma=1.81 --iterates 5 --tolerance 1e-4 --window=-1.8,-0.1,2.2,2.1 --inset=-1.68,-0.05,-1.08,0.6 --picture
 docs/paper/fig-14a.svg       costly  transport ovp --sweep gamma=0.2:2.5:0.05 --find-zero --melnikov --tolerance 1e-3 --svg
 docs/paper/melnikov-eps.svg  cheap   transport ovp --sweep eps=0.01:0.3:0.01 --melnikov --tolerance 1e-3 --svg
 docs/paper/fig-14a-ovp1.svg  costly  transport ovp1 --sweep gamma=0.2:2.5:0.05 --find-zero --tolerance 1e-3 --svg
-docs/paper/fig-14b.svg       costly  transport ovp --param gamma=0.5 --iterates 7 --tolerance 1e-5 --svg
-docs/paper/fig-14b-ovp1.svg  cheap   transport ovp1 --param gamma=0.5 --iterates 7 --tolerance 1e-5 --svg
+docs/paper/fig-14b.svg       costly  transport ovp --param gamma=0.5 --iterates 7 --tolerance 1e-5 --normalise --svg
+docs/paper/fig-14b-ovp1.svg  cheap   transport ovp1 --param gamma=0.5 --iterates 7 --tolerance 1e-5 --normalise --svg
 docs/paper/fig-15.svg        cheap   levels capsize --at 0.125,0.25,0.5,1 --box=-2,-1.2,2,1.8 --grid 320,240 --svg
 docs/paper/fig-16a.svg       cheap   levels capsize --energy 0.22 --box=-1.8,-0.8,1.8,1.4 --svg
 docs/paper/fig-16b.svg       cheap   levels capsize --energy 0.25 --box=-1.8,-0.8,1.8,1.4 --svg
-docs/paper/fig-16c.svg       cheap   levels capsize --energy 0.28 --box=-1.8,-0.8,1.8,1.4 --svg
+docs/paper/fig-16c.svg       cheap   levels capsize --energy 0.28 --box=-1.8,-0.8,1.8,1.4 --periodic-orbits --svg
 docs/paper/fig-17a.svg       cheap   section capsize --param energy=0.22 --orbits 60 --iterates 500 --svg
 docs/paper/fig-17b.svg       cheap   section capsize --param energy=0.25 --orbits 60 --iterates 500 --svg
-docs/paper/fig-17c.svg       cheap   section capsize --param energy=0.28 --orbits 60 --iterates 500 --svg
+docs/paper/fig-17c.svg       cheap   section capsize --param energy=0.28 --orbits 2000 --iterates 500 --svg
 docs/paper/exit-times.svg    cheap   section capsize --exit-times --iterates 6 --svg
-docs/paper/fig-18.svg        costly  escape capsize --energy 0.28 --crossings 0 --direction + --tubes
+docs/paper/fig-18a.svg       costly  escape capsize --energy 0.28 --saddle 2 --crossings 0 --direction + --tubes-of stable --trajectory=-0.1,0.28 --trajectory=0.2,0.4 --tubes
+docs/paper/fig-18b.svg       costly  escape capsize --energy 0.28 --crossings 0 --direction + --tubes
 docs/paper/fig-19a.svg       costly  escape capsize --energy 0.25307 --crossings 1 --svg
 docs/paper/fig-19b.svg       costly  escape capsize --energy 0.25307 --crossings 4 --svg
 docs/paper/table-5.txt       costly  escape capsize --energy 0.25307 --crossings 4
 docs/paper/table-5-0.253.txt costly  escape capsize --energy 0.253 --crossings 4
 docs/escape-pcr3bp.svg              costly  escape pcr3bp --energy -1.515 --crossings 0 --saddle 2 --svg
 '
+# Those of the gallery, all cheap: files of work/ and pictures.
+figures+=$(sed -E '/^#/d; /^\|/d; s/@/@work\//g; s/^([^ |]+\.[^ |]+) *\|[^|]*\| *(.*)$/work\/\1 cheap \2/; s/^([^ |/]+) *\|[^|]*\| *(.*)$/docs\/gallery\/\1.svg cheap \2/' docs/gallery/pictures.txt)
 # Documents with blocks; those of the costly kind are only made with all.
 documents='README.md docs/reference/formats.md docs/paper.md docs/figures.md docs/published-forms.md docs/reference.md '$(ls docs/explanation/*.md docs/how-to/*.md docs/tutorials/*.md | tr '\n' ' ')
 costly_blocks=''
@@ -107,13 +117,8 @@ make_figures() {
       work/*) made=$work/$figure ;&
       *.svg) arguments="$arguments $made" ;;
     esac
-    # shellcheck disable=SC2086
-    if [[ $arguments == @script* ]]; then
-      read -r _ name _ <<<"$arguments"
-      "scripts/docs-figures/$name.sh" >"$made" 2>"$work/err"
-    else
-      "$lober" $arguments >"$work/printed" 2>"$work/err"
-    fi || { echo "$figure cannot be made: $(cat "$work/err")"; stale=$((stale + 1)); continue; }
+    eval "set -- $arguments"
+    "$lober" "$@" >"$work/printed" 2>"$work/err" || { echo "$figure cannot be made: $(cat "$work/err")"; stale=$((stale + 1)); continue; }
     [[ $figure != *.txt ]] || cp "$work/printed" "$made"
     [[ $figure == work/* ]] || settle "$figure" "$made"
   done <<<"$figures"

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bench/scenes/scenes.hpp"
+#include "cli/picture/figure.hpp"
 
 namespace lober::bench {
 
@@ -26,10 +27,16 @@ struct AccuracyScene {
 /// the chords are wrong. [C1 \ C2] is the area of a turnstile lobe.
 [[nodiscard]] Scene make_henon_lobe(std::size_t points);
 
+/// How the line of a method is drawn.
+struct CurveStyle {
+  const char* colour = palette::ink;
+  cli::DotShape shape = cli::DotShape::circle;
+};
+
 /// One way to [C1 \ C2].
 struct AccuracyMethod {
   std::string_view name;
-  std::string_view colour;
+  CurveStyle style;
   std::function<double(const Scene& scene)> area;
 };
 [[nodiscard]] std::span<const AccuracyMethod> accuracy_methods();
@@ -41,7 +48,8 @@ struct AccuracyPoint {
   double error;    ///< relative
 };
 struct AccuracyCurve {
-  std::string method, colour;
+  std::string method;
+  CurveStyle style;
   std::vector<AccuracyPoint> points;
 };
 struct AccuracyPanel {
@@ -49,7 +57,12 @@ struct AccuracyPanel {
   std::vector<AccuracyCurve> curves;
 };
 
-/// Log-log plots side by side, run time to the right, error upwards, one line a method. `caption`: below them.
-void write_plot(std::ostream& stream, const std::vector<AccuracyPanel>& panels, std::string_view caption);
+/// Names of both axes, and a line below the legend.
+struct PlotTexts {
+  std::string x, y, note;
+};
+
+/// Log-log plots side by side as SVG, run time to the right, error upwards, one line a method.
+void write_plot(std::ostream& stream, const std::vector<AccuracyPanel>& panels, const PlotTexts& texts);
 
 }  // namespace lober::bench

@@ -44,14 +44,15 @@ double by_monte_carlo(const Scene& scene) {
 }
 
 const std::array<AccuracyMethod, 8> methods{{
-    {"Monte Carlo", "#999999", by_monte_carlo},
-    {"interior, no densifying", "#d62728", densified(0, 0)},
-    {"interior, -DENS 1 10", "#ff7f0e", densified(1, 10)},
-    {"interior, -DENS 3 10", "#bcbd22", densified(3, 10)},
-    {"interior, -DENS 5 100", "#2ca02c", densified(5, 100)},
-    {"interior, exact split", "#17becf", [](const Scene& scene) { return by_interior(scene, {}); }},
-    {"overlay, polygon", "#1f77b4", by_overlay},
-    {"overlay, smooth", "#9467bd",
+    {"Monte Carlo", {palette::boundary}, by_monte_carlo},
+    {"interior, no densifying", {palette::unstable}, densified(0, 0)},
+    {"interior, -DENS 1 10", {palette::leaving}, densified(1, 10)},
+    {"interior, -DENS 3 10", {palette::flux}, densified(3, 10)},
+    {"interior, -DENS 5 100", {palette::entering}, densified(5, 100)},
+    {"interior, exact split", {palette::right_of_unstable}, [](const Scene& scene) { return by_interior(scene, {}); }},
+    {"overlay, polygon", {palette::stable}, by_overlay},
+    {"overlay, smooth",
+     {palette::common},
      [](const Scene& scene) {
        const OverlayOptions options{.pieces = false, .progress = {}};
        return smooth_areas(overlay(ClosedCurve::borrow(scene.first), ClosedCurve::borrow(scene.second), options))

@@ -1,94 +1,51 @@
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 
 #include "bench/accuracy/accuracy.hpp"
+#include "cli/picture/panels.hpp"
 
 namespace lober::bench {
 namespace {
 
-constexpr double panel = 320, gap = 62, top = 30, bottom = 44;
-constexpr int columns = 2;
+using cli::Figure;
+using cli::Layer;
 
-// A range of whole powers of ten.
-struct Decades {
-  int first = 100, last = -100;
-  void cover(double value) {
-    first = std::min(first, static_cast<int>(std::floor(std::log10(value))));
-    last = std::max(last, static_cast<int>(std::ceil(std::log10(value))));
-  }
-  [[nodiscard]] double at(double value) const {
-    return panel * (std::log10(value) - first) / std::max(last - first, 1);
-  }
-};
+constexpr double smallest_error = 1e-17;  // an error of 0 is drawn here
+constexpr double two_columns = 170;       // of a journal, in mm
 
-constexpr double smallest_error = 1e-17;  // what comes out exact is drawn here
-
-void write_panel(std::ostream& svg, const AccuracyPanel& data) {
-  Decades time, error;
-  for (const AccuracyCurve& curve : data.curves) {
+Figure figure_of(const AccuracyPanel& panel, const PlotTexts& texts) {
+  Figure figure{.what = panel.title, .title = panel.title};
+  figure.plane = false;
+  figure.x = {.name = texts.x, .unit = "s", .exponents = true};
+  figure.y = {.name = texts.y, .exponents = true};
+  Rectangle box;
+  for (const AccuracyCurve& curve : panel.curves) {
+    Layer line = cli::line_layer(curve.method, "", std::string(curve.style.colour), 0.8);
+    std::vector<Point> points;
     for (const AccuracyPoint& point : curve.points) {
-      time.cover(point.seconds);
-      error.cover(std::max(point.error, smallest_error));
+      points.push_back({std::log10(point.seconds), std::log10(std::max(point.error, smallest_error))});
+      box.add(points.back());
     }
+    Layer dots = cli::dot_layer(curve.method, curve.method, points, 1.3);
+    dots.colour = curve.style.colour;
+    dots.shape = curve.style.shape;
+    line.lines.push_back({.own = std::move(points)});
+    figure.layers.push_back(std::move(line));
+    figure.layers.push_back(std::move(dots));
   }
-  svg << "<text x='" << panel / 2 << "' y='-10' text-anchor='middle' font-weight='bold'>" << data.title << "</text>\n";
-  svg << "<rect width='" << panel << "' height='" << panel << "' fill='none' stroke='#444'/>\n";
-  for (int decade = time.first; decade <= time.last; ++decade) {
-    const double x = time.at(std::pow(10, decade));
-    svg << "<path d='M" << x << " 0V" << panel << "' stroke='#e4e4e4'/><text x='" << x << "' y='" << panel + 16
-        << "' text-anchor='middle'>1e" << decade << "</text>\n";
+  if (!box.empty()) {
+    figure.window = {std::floor(box.min_x), std::floor(box.min_y), std::ceil(box.max_x), std::ceil(box.max_y)};
   }
-  const int every = error.last - error.first > 10 ? 2 : 1;
-  for (int decade = error.first; decade <= error.last; decade += every) {
-    const double y = panel - error.at(std::pow(10, decade));
-    svg << "<path d='M0 " << y << "H" << panel << "' stroke='#e4e4e4'/><text x='-6' y='" << y + 4
-        << "' text-anchor='end'>1e" << decade << "</text>\n";
-  }
-  for (const AccuracyCurve& curve : data.curves) {
-    svg << "<path fill='none' stroke='" << curve.colour << "' stroke-width='1.8' d='";
-    char command = 'M';
-    for (const AccuracyPoint& point : curve.points) {
-      svg << command << time.at(point.seconds) << ' ' << panel - error.at(std::max(point.error, smallest_error)) << ' ';
-      command = 'L';
-    }
-    svg << "'/>\n";
-    for (const AccuracyPoint& point : curve.points) {
-      svg << "<circle r='2.4' fill='" << curve.colour << "' cx='" << time.at(point.seconds) << "' cy='"
-          << panel - error.at(std::max(point.error, smallest_error)) << "'/>";
-    }
-    svg << '\n';
-  }
+  return figure;
 }
 
 }  // namespace
 
-void write_plot(std::ostream& stream, const std::vector<AccuracyPanel>& panels, std::string_view caption) {
-  const auto count = static_cast<int>(panels.size());
-  const int rows = (count + columns - 1) / columns;
-  const double legend = 22.0 * static_cast<double>((panels.empty() ? 0 : panels[0].curves.size() + 1) / 2) + 20;
-  const double width = columns * (panel + gap) + 20, height = rows * (panel + top + bottom) + legend;
-  stream << std::setprecision(5) << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 " << width << ' ' << height
-         << "' font-family='sans-serif' font-size='12'>\n<rect width='" << width << "' height='" << height
-         << "' fill='white'/>\n";
-  for (int k = 0; k < count; ++k) {
-    stream << "<g transform='translate(" << gap + k % columns * (panel + gap) << ' '
-           << top + k / columns * (panel + top + bottom) << ")'>\n";
-    write_panel(stream, panels[static_cast<std::size_t>(k)]);
-    stream << "</g>\n";
-  }
-  const double below = rows * (panel + top + bottom);
-  stream << "<text x='" << width / 2 << "' y='" << below - 4 << "' text-anchor='middle'>" << caption << "</text>\n";
-  if (!panels.empty()) {
-    for (std::size_t k = 0; k < panels[0].curves.size(); ++k) {
-      const double x = gap + static_cast<double>(k % 2) * (panel + gap),
-                   y = below + 20 + 22.0 * static_cast<double>(k / 2);
-      stream << "<path d='M" << x << ' ' << y - 4 << "h24' stroke='" << panels[0].curves[k].colour
-             << "' stroke-width='3'/><text x='" << x + 32 << "' y='" << y << "'>" << panels[0].curves[k].method
-             << "</text>\n";
-    }
-  }
-  stream << "</svg>\n";
+void write_plot(std::ostream& stream, const std::vector<AccuracyPanel>& panels, const PlotTexts& texts) {
+  std::vector<Figure> figures;
+  for (const AccuracyPanel& panel : panels) figures.push_back(figure_of(panel, texts));
+  if (!figures.empty()) figures.back().notes.push_back(texts.note);
+  stream << cli::panels_svg("Run time against error", figures, 2, {.width = two_columns});
 }
 
 }  // namespace lober::bench

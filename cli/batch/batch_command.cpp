@@ -10,6 +10,7 @@
 
 #include "cli/batch/batch_options.hpp"
 #include "cli/batch/batch_page.hpp"
+#include "cli/batch/batch_picture.hpp"
 #include "cli/batch/batch_report.hpp"
 #include "cli/batch/operations_list.hpp"
 #include "cli/program/command_line.hpp"
@@ -33,6 +34,11 @@ using Arguments = std::vector<std::string>;
 
 std::string how_far(const ExportCounts& counts) {
   return fmt::format("{} done, {} failed, {} to do\n", counts.done, counts.failed, counts.missing);
+}
+
+double jobs_of(const detail::Store& store) {
+  const std::optional<detail::Plan> plan = store.plan();
+  return plan ? static_cast<double>(plan->jobs.size()) : 0;
 }
 
 // Each message once, and where to find the others of a long list.
@@ -143,7 +149,10 @@ void show_status(const Arguments& arguments) {
   parser.add("STORE", path, "The store, a file that lober batch run has written.").required();
   if (!parser.parse(arguments)) return;
   const detail::Store store = detail::Store::open(path);
-  const detail::StoreSurvey found = survey(store);
+  Progress progress;
+  progress.of(jobs_of(store), "jobs");
+  progress.phase("checking", 0, 1);
+  const detail::StoreSurvey found = survey(store, told_to(progress));
   std::string text = how_far(found.counts);
   for (const detail::Store::Run& run : store.runs()) {
     text += fmt::format("run {}: {} to {} {}, lober {} ({}), {}, {} ({}), shard {}\n", run.id, run.started,
@@ -185,9 +194,13 @@ void export_store(const Arguments& arguments) {
   const ExportFormat kind = export_format(by_name);
   const detail::Store store = detail::Store::open(path);
   if (output != "-") expect_written("-o", output);
-  Progress progress;
-  progress.phase("writing", 0, 1);
-  const ExportCounts counts = export_results(store, output, kind, only);
+  ExportCounts counts;
+  {
+    Progress progress;
+    progress.phase("exporting", 0, 1);
+    progress.of(jobs_of(store), "jobs");
+    counts = export_results(store, output, kind, only, told_to(progress));
+  }
   if (output != "-") {
     print(fmt::format("{} done, {} failed, {} not there yet\n", counts.done, counts.failed, counts.missing));
   }
@@ -212,18 +225,27 @@ void merge_stores(const Arguments& arguments) {
   const bool is_new = !std::filesystem::exists(target);
   expect_written("TARGET", target);
   Progress progress;
-  progress.phase("merging", 0, 1);
+  double results = 0;
+  for (const detail::Store& other : others) results += static_cast<double>(other.stored().size());
+  progress.of(results, "results");
+  progress.phase("merging", 0, 0.6);
   std::optional<detail::Store> store(detail::Store::create(target));
   try {
-    store->merge(others);
+    store->merge(others, told_to(progress));
   } catch (...) {
     const bool is_empty = store->runs().empty();  // another process may have begun one there
     store.reset();                                // and SQLite removes its log
     if (is_new && is_empty) std::filesystem::remove(target);
     throw;
   }
-  for (const detail::Store& other : others) warn_of(survey(other).counts.damaged);
-  const ExportCounts counts = survey(*store).counts;
+  const double part = 0.4 / static_cast<double>(others.size() + 1);
+  auto surveyed = [&, begin = 0.6](const detail::Store& one) mutable {
+    progress.phase("checking", begin, begin + part);
+    begin += part;
+    return survey(one, told_to(progress)).counts;
+  };
+  for (const detail::Store& other : others) warn_of(surveyed(other).damaged);
+  const ExportCounts counts = surveyed(*store);
   print(how_far(counts));
   warn_of(counts.damaged);
 }
@@ -243,6 +265,8 @@ constexpr Subcommand subcommands[]{
     {"status", show_status, "STORE", "reports the jobs that are done, the runs and the failures"},
     {"export", export_store, "STORE [-o FILE]", "writes the results as CSV, JSON lines, NPY, NetCDF or HDF5"},
     {"page", run_batch_page, "STORE -o FILE", "writes a page with a table of the jobs and heat maps"},
+    {"picture", run_batch_picture, "STORE --picture FILE",
+     "draws a number of the jobs over two options, or overlaps of lobes, as a heat map"},
     {"merge", merge_stores, "TARGET STORE...", "joins the stores of shards"},
     {"manifest", show_manifest_keys, "", "lists the keys of a manifest"},
     {"operations", show_operations, "[NAME]", "lists the operations, or the options and results of one"},

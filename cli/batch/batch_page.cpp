@@ -27,25 +27,6 @@ struct PageRequest {
   double every = 0;
 };
 
-// The export of a store as one JSON object with an array of jobs.
-std::string jobs_json(const std::string& path, ExportCounts& counts) {
-  const std::filesystem::path lines =
-      std::filesystem::temp_directory_path() / ("lober-page-" + std::to_string(getpid()) + ".jsonl");
-  counts = detail::export_results(detail::Store::open(path), lines.string(), ExportFormat::json_lines);
-  std::string json =
-      fmt::format("{{\"done\":{},\"failed\":{},\"missing\":{},\"jobs\":[", counts.done, counts.failed, counts.missing);
-  std::ifstream file(lines);
-  bool first = true;
-  for (std::string line; std::getline(file, line);) {
-    if (line.empty()) continue;
-    json += (first ? "" : ",\n") + line;
-    first = false;
-  }
-  file.close();
-  std::filesystem::remove(lines);
-  return json + "]}";
-}
-
 ExportCounts write_batch_page(const PageRequest& request) {
   ExportCounts counts;
   const std::string json = jobs_json(request.store, counts);
@@ -64,6 +45,24 @@ void wait(double seconds) {
 }
 
 }  // namespace
+
+std::string jobs_json(const std::string& path, ExportCounts& counts, const lober::Progress& progress) {
+  const std::filesystem::path lines =
+      std::filesystem::temp_directory_path() / ("lober-page-" + std::to_string(getpid()) + ".jsonl");
+  counts = detail::export_results(detail::Store::open(path), lines.string(), ExportFormat::json_lines, {}, progress);
+  std::string json =
+      fmt::format("{{\"done\":{},\"failed\":{},\"missing\":{},\"jobs\":[", counts.done, counts.failed, counts.missing);
+  std::ifstream file(lines);
+  bool first = true;
+  for (std::string line; std::getline(file, line);) {
+    if (line.empty()) continue;
+    json += (first ? "" : ",\n") + line;
+    first = false;
+  }
+  file.close();
+  std::filesystem::remove(lines);
+  return json + "]}";
+}
 
 void run_batch_page(const std::vector<std::string>& arguments) {
   PageRequest request;

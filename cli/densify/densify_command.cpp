@@ -11,6 +11,7 @@
 #include "cli/program/table_options.hpp"
 #include "cli/report/curve_file.hpp"
 #include "cli/report/outcome_json.hpp"
+#include "cli/report/table.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/base/threads.hpp"
 
@@ -23,6 +24,7 @@ struct DensifyRequest {
   std::vector<std::string> curves;
   Periods periods;
   std::string output, against_output, json, format;
+  PictureRequest picture;
   bool open = false, open_against = false;
   std::vector<operations::OptionSetting> settings;
   int threads = 0;
@@ -54,7 +56,9 @@ std::optional<DensifyRequest> parse_densify(const std::vector<std::string>& argu
            "Write AGAINST with the same vertices inserted to FILE, in a format of -o (default: no file).")
       .needs(options["crossings"])
       .value("FILE");
+  add_picture_options(parser, request.picture, "the curve with the points that were inserted or removed");
   add_json_option(parser, request.json, "a report of the steps");
+  add_table_option(parser);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return std::nullopt;
   request.settings = options.settings();
@@ -82,8 +86,9 @@ std::optional<DensifyRequest> parse_densify(const std::vector<std::string>& argu
 
 void run(const DensifyRequest& request) {
   const detail::Stopwatch watch;
-  const std::vector<Output> outputs = checked_outputs(
-      {{"-o", request.output}, {"--against-output", request.against_output}, {"--json", request.json}}, request.curves);
+  const std::vector<Output> outputs =
+      checked_outputs({{"-o", request.output}, {"--against-output", request.against_output}, {"--json", request.json}},
+                      request.curves, request.picture.outputs());
   const operations::Operation& operation = operations::named("densify");
   const operations::Options options = checked_options(operation, request.settings);
   std::vector<NamedCurve> curves;
@@ -118,6 +123,7 @@ void run(const DensifyRequest& request) {
     write_curve_file(request.output, found.points, file);
     file.closed = !request.open_against;
     if (!request.against_output.empty()) write_curve_file(request.against_output, found.against->points, file);
+    if (request.picture.asked()) write_figure(request.picture, densify_figure(curves, found));
     const double write_seconds = write_watch.seconds();
     if (!request.json.empty()) {
       write_outcome_json(request.json, "densify", {{"inputs", files_json(curves)}}, operation, outcome, [&] {
@@ -126,7 +132,7 @@ void run(const DensifyRequest& request) {
       });
     }
   }
-  if (!takes_standard_output(outputs)) print(densify_summary(curves, outcome.as<RefinedCurve>()));
+  if (!takes_standard_output(outputs)) print_report(densify_summary(curves, outcome.as<RefinedCurve>()));
 }
 
 }  // namespace

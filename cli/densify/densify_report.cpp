@@ -2,16 +2,26 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "cli/report/report.hpp"
+#include "cli/report/table.hpp"
+
 namespace lober::cli {
 
 std::string densify_summary(const std::vector<NamedCurve>& curves, const operations::RefinedCurve& found) {
-  std::string text = fmt::format("{:<20} {:>12} points\n", "given", found.given);
+  // Lines that say their units; in Markdown the head of a table does.
+  const bool is_markdown = table_format() == TableFormat::markdown;
+  const Table table({{"step", 20, Align::left, 0}, {"points", 12}, {"rounds", 0, Align::right, 0}});
+  std::string remarks;
   for (const NamedCurve& input : curves) {
-    if (!input.remark.empty()) text += input.file + " " + input.remark + "\n";
+    if (!input.remark.empty()) remarks += input.file + " " + input.remark + "\n";
   }
+  std::string text = is_markdown ? remarks + table.head() : "";
+  text += table.row({"given", std::to_string(found.given)}, is_markdown ? "" : " points");
+  if (!is_markdown) text += remarks;
   for (const operations::RefinedCurve::Step& step : found.steps) {
-    text += fmt::format("{:<20} {:>12} points  {} {}\n", step.name, step.points, step.rounds,
-                        step.rounds == 1 ? "round" : "rounds");
+    const std::string points = std::to_string(step.points), rounds = std::to_string(step.rounds);
+    text += is_markdown ? table.row({step.name, points, rounds})
+                        : table.row({step.name, points}, " points  " + counted(step.rounds, "round", "rounds"));
   }
   for (const DiagnosticCause cause : all_diagnostic_causes) {
     const std::size_t places = found.places[static_cast<std::size_t>(cause)];

@@ -8,6 +8,7 @@
 #include "cli/escape/escape_report.hpp"
 #include "cli/program/command_line.hpp"
 #include "cli/program/log.hpp"
+#include "cli/program/point_arguments.hpp"
 #include "cli/program/progress.hpp"
 #include "cli/program/system_options.hpp"
 #include "cli/program/table_options.hpp"
@@ -29,7 +30,8 @@ struct EscapeRequest {
   std::vector<std::string> parameters, saddles;
   std::vector<operations::OptionSetting> settings;
   bool lists_counts = false;  ///< whether counts of trajectories were asked for
-  std::string json, html, curves, tubes, format;
+  std::string json, html, curves, tubes, tubes_of, format;
+  std::vector<std::string> trajectories;
   PictureRequest picture;
   int threads = 0;
 };
@@ -60,15 +62,33 @@ std::optional<EscapeRequest> parse_escape(const std::vector<std::string>& argume
            "and pre-images to FILE, in the format of its ending (default: no file).")
       .value("FILE");
   add_format_option(parser, request.format);
+  const Option tubes =
+      parser
+          .add("--tubes", request.tubes,
+               "Write the surfaces of the tubes between their orbits and the section to FILE, in the coordinates x, y "
+               "and "
+               "the velocity on the section: as legacy VTK (.vtk), or drawn as .svg, .pdf or .png (default: no file).")
+          .value("FILE");
   parser
-      .add("--tubes", request.tubes,
-           "Write the surfaces of the tubes between their orbits and the section to FILE, in the coordinates x, y and "
-           "the velocity on the section: as legacy VTK (.vtk), or drawn as .svg, .pdf or .png (default: no file).")
-      .value("FILE");
+      .add("--tubes-of", request.tubes_of,
+           "The manifold whose tubes --tubes shows: unstable, of what enters, or stable, of what leaves (default: "
+           "both).")
+      .one_of({"unstable", "stable"})
+      .value("MANIFOLD")
+      .needs(tubes);
+  parser
+      .add("--trajectory", request.trajectories,
+           "The point of the section, in its coordinates, from which the picture of --tubes shows a trajectory: until "
+           "it "
+           "has left, or comes back to the section; the option may be repeated (default: none).")
+      .value("Y,VY")
+      .needs(tubes);
   add_table_option(parser);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return std::nullopt;
-  if (!request.tubes.empty()) (void)is_vtk(request.tubes);
+  if (!request.tubes.empty() && is_vtk(request.tubes) && !request.trajectories.empty()) {
+    throw UsageError("--trajectory belongs to the picture of tubes; give --tubes FILE the ending .svg, .pdf or .png");
+  }
   request.settings = options.settings();
   if (!request.saddles.empty()) {
     std::string all;
@@ -88,6 +108,9 @@ void compute(const EscapeRequest& request, bool print_at_once, EscapeReport& rep
   const operations::Operation& operation = operations::named("escape");
   const ParameterValues values = parameter_values(request.parameters);
   report.options = checked_options(operation, request.settings);
+  report.tubes.unstable = request.tubes_of != "stable";
+  report.tubes.stable = request.tubes_of != "unstable";
+  for (const Point& start : points_of("--trajectory", request.trajectories)) report.tubes.trajectories.push_back(start);
   const bool by_parameter =
       std::any_of(values.begin(), values.end(), [](const auto& value) { return value.first == "energy"; });
   if (by_parameter && report.options.find("energy") != nullptr) {
@@ -141,7 +164,9 @@ void run(const EscapeRequest& request) {
                                      {"--tubes", request.tubes}}) {
     if (!path.empty()) outputs.push_back({option, path, option == std::string_view("--curves") ? request.format : ""});
   }
-  check_outputs(outputs, files_of_system(request.system));
+  std::vector<std::string> files = files_of_system(request.system);
+  for (std::string& file : point_files("--trajectory", request.trajectories)) files.push_back(std::move(file));
+  check_outputs(outputs, files);
   const bool printing = !takes_standard_output(outputs);
   // Rows are printed as soon as they are known; where trajectories are asked for they may take long, and if they
   // contradict a row the first line says so.

@@ -1,6 +1,7 @@
 // The curves of an escape.
 
 #include "cli/escape/escape_report.hpp"
+#include "cli/picture/system_figure.hpp"
 #include "cli/report/curve_file.hpp"
 #include "cli/report/text.hpp"
 #include "lober/curve/files.hpp"
@@ -18,17 +19,6 @@ void add_zones(std::vector<Zone>& zones, const std::string& title, const char* m
     if (!curve.image.closed || (!curve.complete && !curve.cut)) full += " open";
     zones.push_back({full, {curve.image.points.begin(), curve.image.points.end()}});
   }
-}
-
-// Points of the periodic orbit at equal times, in the two coordinates of position: it does not meet the section.
-std::vector<Point> orbit_positions(const Flow& flow, const PeriodicOrbit& orbit) {
-  constexpr std::size_t count = 256;
-  const auto pairs = flow.conjugate_pairs();
-  std::vector<Point> points;
-  for (const FlowState& state : states_along(flow, orbit, count, {.tolerance = 1e-14})) {
-    points.push_back({state[static_cast<std::size_t>(pairs[0].q)], state[static_cast<std::size_t>(pairs[1].q)]});
-  }
-  return points;
 }
 
 }  // namespace

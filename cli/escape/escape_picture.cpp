@@ -4,6 +4,7 @@
 #include "cli/escape/escape_report.hpp"
 #include "cli/picture/system_figure.hpp"
 #include "lober/base/error.hpp"
+#include "lober/curve/drawing.hpp"
 #include "viewer/scenes/tube_overlaps.hpp"
 
 namespace lober::cli {
@@ -71,7 +72,12 @@ Figure escape_figure(const EscapeReport& report) {
   system.flow = report.flow;
   system.section = report.result().section;
   name_axes(figure, system);
-  figure.plane = false;  // a coordinate and its velocity
+  const Rectangle edge =
+      add_section_edge(figure, *report.flow, report.result().section, report.result().energy, widened(window, 0.6));
+  if (!edge.empty()) {
+    window.add({edge.min_x, edge.min_y});
+    window.add({edge.max_x, edge.max_y});
+  }
   figure.window = with_margin(window);
   Layer overlaps = overlaps_layer(report.result());
   if (!overlaps.lines.empty()) figure.layers.push_back(std::move(overlaps));
@@ -79,9 +85,9 @@ Figure escape_figure(const EscapeReport& report) {
   for (const bool first : {false, true}) {
     for (const bool entry : {true, false}) {
       Layer layer = line_layer(std::string(entry ? "entrances" : "exits") + (first ? "" : ", images"),
-                               entry   ? first ? "unstable tubes" : "their images"
-                               : first ? "stable tubes"
-                                       : "their pre-images",
+                               entry   ? first ? "unstable tubes, of what enters" : "images of unstable tubes"
+                               : first ? "stable tubes, of what leaves"
+                                       : "pre-images of stable tubes",
                                entry ? palette::unstable : palette::stable, first ? 1.1 : 0.4);
       for (const Drawn& drawn : curves) {
         if (drawn.entry == entry && (drawn.image == 0) == first) {

@@ -18,6 +18,10 @@ struct EscapeReport {
   operations::Options options;
   bool lists_counts = false;  ///< whether to list the counts of the check by trajectories
   double escape_seconds = 0;
+  struct {
+    bool unstable = true, stable = true;
+    std::vector<Point> trajectories{};  ///< where they begin, on the section
+  } tubes{};                            ///< choices for the picture of tubes
 
   /// Without table when no crossings were asked for.
   [[nodiscard]] const operations::SystemEscape& result() const { return outcome.as<operations::SystemEscape>(); }
@@ -43,9 +47,9 @@ void write_escape_curves(const std::string& path, const std::string& format, con
 
 /// Whether tubes are written as legacy VTK, not drawn. Throws UsageError for another ending.
 [[nodiscard]] bool is_vtk(const std::string& path);
-/// The surfaces of all tubes between their orbits and the section, the coordinate across the section, the other
-/// position and its velocity as x, y and z: as quads for other programs (.vtk), or as a picture (.svg, .pdf, .png).
-/// Throws DataError when there is none.
+/// The surfaces of the tubes that were chosen, between their orbits and the section, the coordinate across the section,
+/// the other position and its velocity as x, y and z: as quads for other programs (.vtk), or as a picture (.svg, .pdf,
+/// .png), with the trajectories. Throws DataError when there is none.
 void write_escape_tubes(const std::string& path, const Flow& flow, const EscapeReport& report,
                         const FigureStyle& style);
 

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "cli/fixed_points/fixed_points_report.hpp"
+#include "cli/picture/picture_options.hpp"
 #include "cli/program/command_line.hpp"
 #include "cli/program/progress.hpp"
 #include "cli/program/system_options.hpp"
@@ -21,13 +22,14 @@ struct FixedPointsRequest {
   SystemRequest system;
   std::vector<operations::OptionSetting> settings;
   std::string csv, json;
+  PictureRequest picture;
   int threads = 0;
 };
 
 void run(const FixedPointsRequest& request) {
   const detail::Stopwatch watch;
-  const std::vector<Output> outputs =
-      checked_outputs({{"--csv", request.csv}, {"--json", request.json}}, files_of_system(request.system.name));
+  const std::vector<Output> outputs = checked_outputs({{"--csv", request.csv}, {"--json", request.json}},
+                                                      files_of_system(request.system.name), request.picture.outputs());
   const operations::Operation& operation = operations::named("fixed_points");
   const operations::Options options = checked_options(operation, request.settings);
   const operations::SystemInput input = system_input_of(request.system);
@@ -41,6 +43,7 @@ void run(const FixedPointsRequest& request) {
     report.outcome = operation.run(std::array<operations::Input, 1>{input}, options, context);
     const double search_seconds = search_watch.seconds();
     if (!request.csv.empty()) write_fixed_points_csv(request.csv, report);
+    if (request.picture.asked()) write_figure(request.picture, fixed_points_figure(report, request.picture));
     if (!request.json.empty()) {
       write_outcome_json(request.json, "fixed-points", {{"system", system_json(report.system, input.integration)}},
                          operation, report.outcome, [&] {
@@ -63,6 +66,8 @@ void run_fixed_points(const std::vector<std::string>& arguments) {
   add_integration_option(parser, request.system.integration);
   parser.add("--csv", request.csv, "Write the points to FILE as comma-separated columns (default: no file).")
       .value("FILE");
+  add_picture_options(parser, request.picture, "the points, with the directions of the manifolds of saddles,",
+                      "the residues");
   add_json_option(parser, request.json);
   add_table_option(parser);
   add_threads_option(parser, request.threads);

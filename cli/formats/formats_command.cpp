@@ -6,6 +6,7 @@
 
 #include "cli/program/command_line.hpp"
 #include "cli/report/json_file.hpp"
+#include "cli/report/table.hpp"
 #include "lober/curve/formats.hpp"
 
 namespace lober::cli {
@@ -15,11 +16,17 @@ std::string written(const FormatInfo& format) {
   return !format.writes ? "" : format.takes_several ? "curves" : "one curve";
 }
 
-std::string table(const std::vector<FormatInfo>& all) {
-  std::string text = fmt::format("{:<10} {:<22} {:<5} {:<10} {}\n", "format", "endings", "read", "written", "files");
+std::string formats_table(const std::vector<FormatInfo>& all) {
+  const Table table({{"format", 10, Align::left, 0},
+                     {"endings", 22, Align::left},
+                     {"read", 5, Align::left},
+                     {"written", 10, Align::left},
+                     {"files", 0, Align::left}});
+  std::string text = table.head();
   for (const FormatInfo& format : all) {
-    text += fmt::format("{:<10} {:<22} {:<5} {:<10} {}{}\n", format.name, format.suffixes, format.reads ? "yes" : "",
-                        written(format), format.meaning, format.missing.empty() ? "" : "; " + format.missing);
+    text +=
+        table.row({std::string(format.name), std::string(format.suffixes), format.reads ? "yes" : "", written(format),
+                   std::string(format.meaning) + (format.missing.empty() ? "" : "; " + format.missing)});
   }
   return text +
          "Files are recognised by their content, compressed by gzip or not; endings choose the format of output.\n";
@@ -62,11 +69,12 @@ void run_formats(const std::vector<std::string>& arguments) {
   parser.add_example("lober formats", "all formats, with the endings of their names");
   parser.add_example("lober formats --json formats.json", "the same for programs");
   add_json_option(parser, json);
+  add_table_option(parser);
   if (!parser.parse(arguments)) return;
   const std::vector<Output> outputs = checked_outputs({{"--json", json}}, {});
   const std::vector<FormatInfo> all = formats();
   if (!json.empty()) write_listing(json, "formats", "formats", json_of(all));
-  if (!takes_standard_output(outputs)) print(table(all));
+  if (!takes_standard_output(outputs)) print_report(formats_table(all));
 }
 
 }  // namespace lober::cli

@@ -13,6 +13,7 @@
 #include "cli/program/table_options.hpp"
 #include "cli/report/curve_file.hpp"
 #include "cli/report/outcome_json.hpp"
+#include "cli/report/table.hpp"
 #include "cli/view/page_output.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/base/cancellation.hpp"
@@ -27,6 +28,7 @@ struct GrowRequest {
   SystemRequest system;
   std::vector<operations::OptionSetting> settings;
   std::string output, json, html, format;
+  PictureRequest picture;
   int threads = 0;
 };
 
@@ -47,7 +49,9 @@ std::optional<GrowRequest> parse_grow(const std::vector<std::string>& arguments)
       parser, memory, "The memory, in bytes or with a unit, as 4G or 500M, at which growing ends (default: no limit).");
   add_integration_option(parser, request.system.integration);
   add_points_option(parser, request.output, request.format, false);
+  add_picture_options(parser, request.picture, "the manifold", "the saddle and the ends of the images");
   add_json_option(parser, request.json, "a report of the growth");
+  add_table_option(parser);
   add_html_option(parser, request.html);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return std::nullopt;
@@ -68,7 +72,7 @@ void run(const GrowRequest& request) {
   const detail::Stopwatch watch;
   const std::vector<Output> outputs =
       checked_outputs({{"-o", request.output}, {"--json", request.json}, {"--html", request.html}},
-                      files_of_system(request.system.name));
+                      files_of_system(request.system.name), request.picture.outputs());
   const operations::Operation& operation = operations::named("grow");
   const operations::Options options = checked_options(operation, request.settings);
   const operations::SystemInput input = system_input_of(request.system);
@@ -93,6 +97,12 @@ void run(const GrowRequest& request) {
       write_curve_file(request.output, manifold.points,
                        {.format = request.format, .notes = notes_of("grow", outcome, {}, system_text(*input.system))});
     }
+    if (request.picture.asked()) {
+      const operations::OptionValue* const box = options.find("box");
+      write_figure(request.picture,
+                   grow_figure(*input.system, manifold, box != nullptr ? std::get<Rectangle>(*box) : Rectangle{},
+                               request.picture));
+    }
     if (!request.html.empty()) write_page(request.html, *input.system, outcome);
     const double write_seconds = write_watch.seconds();
     if (!request.json.empty()) {
@@ -106,7 +116,7 @@ void run(const GrowRequest& request) {
     }
   }
   const auto& manifold = outcome.as<SystemManifold>();
-  if (!takes_standard_output(outputs)) print(grow_summary(*input.system, manifold));
+  if (!takes_standard_output(outputs)) print_report(grow_summary(*input.system, manifold));
   if (manifold.stop == GrowthStop::cancelled) throw Cancelled();
   if (!ends_as_asked(manifold)) log_warning("growing ended " + end_of_growth(manifold));
 }

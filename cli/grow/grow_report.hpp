@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "cli/picture/figure.hpp"
+#include "cli/picture/picture_options.hpp"
 #include "lober/operations.hpp"
 
 namespace lober::cli {
@@ -13,5 +15,8 @@ namespace lober::cli {
 
 /// A few lines for people.
 [[nodiscard]] std::string grow_summary(const System& system, const operations::SystemManifold& manifold);
+/// The picture of the manifold, which has to outlive it. `box`: where the tolerance holds; empty: everywhere.
+[[nodiscard]] Figure grow_figure(const System& system, const operations::SystemManifold& manifold, const Rectangle& box,
+                                 const PictureRequest& how);
 
 }  // namespace lober::cli

@@ -54,7 +54,7 @@ Figure interior_figure(const InteriorAreas& result, const std::array<NamedCurve,
   const Crossings& nodes = result.nodes;
   Figure figure{.what = "Paths of the interior method"};
   figure.title = "C1 " + short_name(spec_of(inputs[0])) + ", C2 " + short_name(spec_of(inputs[1]));
-  name_axes(figure, inputs[0].remark);
+  name_axes(figure, inputs[0]);
   figure.window = with_margin(include(include({}, nodes.curve1().points), nodes.curve2().points));
   std::vector<Part> c1 = side_parts(nodes, 1), c2 = side_parts(nodes, 2);
   const auto add = [&](std::vector<Part>& parts, Side side, const char* name, const char* legend, const char* colour) {

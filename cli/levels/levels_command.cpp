@@ -6,7 +6,9 @@
 
 #include "cli/levels/levels_report.hpp"
 #include "cli/picture/picture_options.hpp"
+#include "cli/picture/system_figure.hpp"
 #include "cli/program/command_line.hpp"
+#include "cli/program/log.hpp"
 #include "cli/program/output_names.hpp"
 #include "cli/program/progress.hpp"
 #include "cli/program/table_options.hpp"
@@ -26,8 +28,24 @@ struct LevelsRequest {
   std::vector<operations::OptionSetting> settings;
   std::string output, json, format;
   PictureRequest picture;
+  bool periodic_orbits = false;
   int threads = 0;
 };
+
+// The orbits in the bottlenecks that the energy opens.
+std::vector<std::vector<Point>> periodic_orbits_of(const System& system, double energy) {
+  std::vector<std::vector<Point>> orbits;
+  for (const FlowState& guess : system.saddles) {
+    const SaddlePoint saddle = saddle_point(*system.flow, guess);
+    if (!(energy > saddle.energy)) continue;
+    orbits.push_back(orbit_positions(*system.flow, periodic_orbit(*system.flow, saddle, energy, {.tolerance = 1e-13})));
+  }
+  if (orbits.empty()) {
+    log_warning("--periodic-orbits: there are none, as the energy is not above that of a saddle of " +
+                system.info.name);
+  }
+  return orbits;
+}
 
 void run(const LevelsRequest& request) {
   const detail::Stopwatch watch;
@@ -39,7 +57,7 @@ void run(const LevelsRequest& request) {
   const operations::Operation& operation = operations::named("levels");
   const operations::Options options = checked_options(operation, request.settings);
   const operations::SystemInput input = system_input_of(request.system);
-  LevelsReport report{*input.system, options.real("time"), {}, false, {}};
+  LevelsReport report{*input.system, options.real("time")};
   if (options.find("energy") != nullptr) report.energy = options.real("energy");
   {
     Progress progress;
@@ -50,6 +68,7 @@ void run(const LevelsRequest& request) {
     const double seconds = watch.seconds();
     report.shaded = options.find("at") != nullptr && report.result().levels.size() <= max_shaded;
     if (!request.output.empty()) write_levels(request.output, request.format, report);
+    if (request.periodic_orbits) report.orbits = periodic_orbits_of(report.system, *report.energy);
     if (request.picture.asked()) write_figure(request.picture, levels_figure(report));
     if (!request.json.empty()) {
       write_outcome_json(request.json, "levels", {{"system", system_json(report.system, input.integration)}}, operation,
@@ -79,7 +98,12 @@ void run_levels(const std::vector<std::string>& arguments) {
                .c_str())
       .value("FILE");
   add_format_option(parser, request.format);
-  add_picture_options(parser, request.picture, "the level curves");
+  const Option picture = add_picture_options(parser, request.picture, "the level curves");
+  parser
+      .add_flag("--periodic-orbits", request.periodic_orbits,
+                "Draw the periodic orbits in the bottlenecks of Hill's region too.")
+      .needs(picture)
+      .needs(options["energy"]);
   add_json_option(parser, request.json);
   add_table_option(parser);
   add_threads_option(parser, request.threads);

@@ -63,6 +63,11 @@ Figure levels_figure(const LevelsReport& report) {
   // The energy of a return map is not that of the picture.
   SystemInfo named = report.system.info;
   std::erase_if(named.parameters, [](const Parameter& parameter) { return parameter.name == "energy"; });
+  if (report.energy) {
+    named.parameters.emplace_back();
+    named.parameters.back().name = "energy";
+    named.parameters.back().value = *report.energy;
+  }
   figure.title = system_title(named);
   figure.window = window;
   add_bands(figure, report);
@@ -85,6 +90,14 @@ Figure levels_figure(const LevelsReport& report) {
       }
       figure.layers.push_back(std::move(layer));
     }
+  }
+  if (!report.orbits.empty()) {
+    const bool one = report.orbits.size() == 1;
+    Layer orbits = line_layer("periodic orbits", one ? "periodic orbit" : "periodic orbits", palette::common, 1.2);
+    for (const std::vector<Point>& orbit : report.orbits) {
+      orbits.lines.push_back(polyline(std::span<const Point>(orbit), true));
+    }
+    figure.layers.push_back(std::move(orbits));
   }
   Layer saddles = dot_layer("saddles", "saddles", {}, 1.8);
   saddles.shape = DotShape::square;

@@ -13,8 +13,9 @@ namespace lober::cli {
 struct LevelsReport {
   System system;
   double time = 0;
-  std::optional<double> energy{};  ///< energy of Hill's region
-  bool shaded = false;             ///< few levels: the picture shows the bands between them
+  std::optional<double> energy{};            ///< energy of Hill's region
+  bool shaded = false;                       ///< few levels: the picture shows the bands between them
+  std::vector<std::vector<Point>> orbits{};  ///< positions of the periodic orbits that the picture shows
   operations::Outcome outcome{};
 
   [[nodiscard]] const operations::SystemLevels& result() const { return outcome.as<operations::SystemLevels>(); }

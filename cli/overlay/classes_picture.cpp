@@ -83,6 +83,11 @@ void add_sigma_arrows(std::array<Layer, 2>& layers, const Crossings& nodes, std:
   }
 }
 
+// As Naik, Lekien & Ross (2017) call them: a piece that one arc of each curve bounds, and one with more.
+const char* piece_name(std::size_t crossings) {
+  return crossings == 2 ? "knob" : "handle";
+}
+
 std::string class_text(const std::vector<SigmaStep>& steps, std::size_t number) {
   double sum = 0;
   std::string members;
@@ -93,7 +98,8 @@ std::string class_text(const std::vector<SigmaStep>& steps, std::size_t number) 
     if (++count <= 8) members += (members.empty() ? "" : ", ") + std::string("p") + std::to_string(step.crossing);
   }
   if (count > 8) members += ", ...";
-  return "class " + std::to_string(number) + " {" + members + "}, half the sum of S " + rounded(sum / 2);
+  return "class " + std::to_string(number) + " {" + members + "}, half the sum of S " + rounded(sum / 2) + ": a " +
+         piece_name(count);
 }
 
 }  // namespace
@@ -144,10 +150,10 @@ Figure classes_figure(const CurveOverlay& found, const std::array<NamedCurve, 2>
   add_curve("C1", nodes.curve1(), result.areas.c1, palette::curve1, 0.9);
   add_curve("C2", nodes.curve2(), result.areas.c2, palette::curve2, 0.6);
   if (numbered) {
-    for (Layer& layer : sigma) figure.layers.push_back(std::move(layer));
-    for (Layer& layer : tangent_layers(nodes, 0.045 * std::max(figure.window.width(), figure.window.height()))) {
+    for (Layer& layer : tangent_layers(nodes, 0.04 * std::max(figure.window.width(), figure.window.height()))) {
       figure.layers.push_back(std::move(layer));
     }
+    for (Layer& layer : sigma) figure.layers.push_back(std::move(layer));
   }
   for (const int rho : {1, -1}) {
     Layer dots = dot_layer(rho > 0 ? "rho = +1" : "rho = -1",
@@ -158,6 +164,16 @@ Figure classes_figure(const CurveOverlay& found, const std::array<NamedCurve, 2>
       if (node.rho == rho) dots.points.push_back(node.begin);
     }
     figure.layers.push_back(std::move(dots));
+  }
+  // Names of the pieces, where they are few.
+  for (std::size_t k = 0; k < classes && classes <= class_colours.size(); ++k) {
+    const auto crossings = static_cast<std::size_t>(
+        std::count_if(steps.begin(), steps.end(), [&](const SigmaStep& step) { return step.class_number == k; }));
+    if (figure.layers[k].lines.empty()) continue;
+    figure.labels.push_back({.position = FigureLabel::Position::inside,
+                             .text = piece_name(crossings),
+                             .polygon = figure.layers[k].lines.front(),
+                             .size = 6.5});
   }
   for (const SigmaStep& step : steps) {
     if (!numbered) break;

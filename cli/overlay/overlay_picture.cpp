@@ -42,7 +42,7 @@ void add_names(Figure& figure, const Layer& pieces, const char* prefix) {
 Figure overlay_frame(const Crossings& nodes, const std::array<NamedCurve, 2>& inputs) {
   Figure figure{.what = "Lobes between two curves"};
   figure.title = "C1 " + short_name(spec_of(inputs[0])) + ", C2 " + short_name(spec_of(inputs[1]));
-  name_axes(figure, inputs[0].remark);
+  name_axes(figure, inputs[0]);
   figure.window = with_margin(include(include({}, nodes.curve1().points), nodes.curve2().points));
   return figure;
 }
@@ -64,13 +64,14 @@ Figure overlay_figure(const CurveOverlay& found, const std::array<NamedCurve, 2>
   Figure figure = overlay_frame(result.nodes, inputs);
   figure.layers.push_back(pieces_layer(found, Pairing::c1_minus_c2, "C1 \\ C2", palette::curve1));
   figure.layers.push_back(pieces_layer(found, Pairing::c2_minus_c1, "C2 \\ C1", palette::curve2));
-  // The first curve is the wider one, so that it can be seen where they share an arc.
-  figure.layers.push_back(line_layer("C1", "C1, area " + rounded(found.areas.c1), palette::curve1, 0.9));
+  const std::size_t pieces = result.pieces(Pairing::c1_minus_c2).size() + result.pieces(Pairing::c2_minus_c1).size();
+  // The first curve is the wider one, so that it can be seen where they share an arc; many lobes are not to be hidden.
+  const double width = pieces > 8 * max_named_pieces ? 0.2 : 0.5;
+  figure.layers.push_back(line_layer("C1", "C1, area " + rounded(found.areas.c1), palette::curve1, width + 0.4));
   figure.layers.back().lines.push_back(polyline(c1.points, true));
-  figure.layers.push_back(line_layer("C2", "C2, area " + rounded(found.areas.c2), palette::curve2, 0.5));
+  figure.layers.push_back(line_layer("C2", "C2, area " + rounded(found.areas.c2), palette::curve2, width));
   figure.layers.back().lines.push_back(polyline(c2.points, true));
   figure.layers.push_back(crossings_layer(result.nodes));
-  const std::size_t pieces = result.pieces(Pairing::c1_minus_c2).size() + result.pieces(Pairing::c2_minus_c1).size();
   if (how.labels_for(pieces) && pieces <= 8 * max_named_pieces) {
     add_names(figure, figure.layers[0], "A");
     add_names(figure, figure.layers[1], "B");
@@ -81,7 +82,7 @@ Figure overlay_figure(const CurveOverlay& found, const std::array<NamedCurve, 2>
 Figure regions_figure(const CurveRegions& found, const std::array<NamedCurve, 2>& inputs) {
   Figure figure{.what = "Regions of two curves by a fill rule"};
   figure.title = "C1 " + short_name(spec_of(inputs[0])) + ", C2 " + short_name(spec_of(inputs[1]));
-  name_axes(figure, inputs[0].remark);
+  name_axes(figure, inputs[0]);
   Rectangle box;
   for (const NamedCurve& input : inputs) box = include(box, input.curve.points);
   figure.window = with_margin(box);

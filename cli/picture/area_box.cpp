@@ -60,4 +60,13 @@ Rectangle area_box(std::span<const std::vector<Point>> polygons) {
   return {x.low, y.low, x.high, y.high};
 }
 
+Rectangle box_about(const Rectangle& core, const Rectangle& box) {
+  if (core.empty() || box.empty()) return box;
+  const double x = core.max_x - core.min_x, y = core.max_y - core.min_y;
+  return {std::min(core.min_x, std::max(box.min_x, core.min_x - x)),
+          std::min(core.min_y, std::max(box.min_y, core.min_y - y)),
+          std::max(core.max_x, std::min(box.max_x, core.max_x + x)),
+          std::max(core.max_y, std::min(box.max_y, core.max_y + y))};
+}
+
 }  // namespace lober::cli

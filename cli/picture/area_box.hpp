@@ -12,4 +12,8 @@ namespace lober::cli {
 /// at most a hundredth of the sum of their areas. O(points).
 [[nodiscard]] Rectangle area_box(std::span<const std::vector<Point>> polygons);
 
+/// The part of a box that reaches beyond `core` by at most its own sides on each of them: lobes that are carried far
+/// away do not shrink the region that they leave to a dot.
+[[nodiscard]] Rectangle box_about(const Rectangle& core, const Rectangle& box);
+
 }  // namespace lober::cli

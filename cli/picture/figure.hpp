@@ -84,6 +84,9 @@ struct Axis {
   std::string name;
   std::string unit{};          ///< empty: none
   bool whole_numbers = false;  ///< no ticks between them
+  bool exponents = false;      ///< values are powers to which ten is raised: ticks say 10^k
+  /// Names of 0, 1, 2, ..., which are ticks instead of numbers; as many as there is room for.
+  std::vector<std::string> categories{};
 };
 
 struct Figure {
@@ -92,6 +95,7 @@ struct Figure {
   Axis x{"x"}, y{"y"};
   bool plane = true;       ///< both axes have one scale, unless the window is far longer than wide
   bool axes = true;        ///< frame with ticks
+  bool guides = true;      ///< lines at the ticks of y, where it is not a plane
   bool zero_line = false;  ///< a line along y = 0
   Rectangle window{};      ///< what is shown where no other window is asked for
   std::vector<Layer> layers{};

@@ -86,7 +86,12 @@ std::string figure_csv(const Figure& figure) {
 }
 
 std::string figure_json(const Figure& figure) {
-  const auto axis = [](const Axis& one) { return Json{{"name", one.name}, {"unit", one.unit}}; };
+  const auto axis = [](const Axis& one) {
+    Json made{{"name", one.name}, {"unit", one.unit}};
+    if (one.exponents) made["scale"] = "values are powers of ten";
+    if (!one.categories.empty()) made["categories"] = one.categories;
+    return made;
+  };
   Json json{{"picture", figure.what},
             {"title", figure.title},
             {"x", axis(figure.x)},

@@ -14,7 +14,7 @@ namespace lober::cli {
 namespace {
 
 constexpr double points_in_mm = 72 / 25.4;
-constexpr double border = 3, title_size = 8, title_step = 9.6, name_size = 8, tick_size = 7;
+constexpr double picture_border = 3, title_size = 8, title_step = 9.6, name_size = 8, tick_size = 7;
 
 // Where everything stands. Ticks depend on the size of the plot and the plot on the texts of the ticks: two rounds do.
 struct Layout {
@@ -28,13 +28,13 @@ struct Layout {
 Layout layout_of(const Figure& figure, const FigureStyle& style, const Rectangle& window, double legend_height) {
   Layout layout;
   layout.width = style.width * points_in_mm;
-  layout.title = wrapped(figure.title, title_size, layout.width - 2 * border);
-  const double top = border + static_cast<double>(layout.title.size()) * title_step + 2;
-  const double below =
-      (figure.axes ? 4 + tick_size + 3 + name_size + 2 : 4) + (legend_height > 0 ? legend_height + 3 : 0) + border;
-  double left = border + (figure.axes ? name_size + 18 : 0);
+  layout.title = wrapped(style.title.value_or(figure.title), title_size, layout.width - 2 * picture_border);
+  const double top = picture_border + static_cast<double>(layout.title.size()) * title_step + 2;
+  const double below = (figure.axes ? 4 + tick_size + 3 + name_size + 2 : 4) +
+                       (legend_height > 0 ? legend_height + 3 : 0) + picture_border;
+  double left = picture_border + (figure.axes ? name_size + 18 : 0);
   for (int round = 0; round < 3; ++round) {
-    const double right = border + (figure.axes ? std::max(3.0, 0.5 * widest(layout.across, tick_size)) : 0);
+    const double right = picture_border + (figure.axes ? std::max(3.0, 0.5 * widest(layout.across, tick_size)) : 0);
     Frame room{left, top, std::max(20.0, layout.width - left - right), 0};
     if (style.height) {
       room.height = std::max(20.0, *style.height * points_in_mm - top - below);
@@ -49,7 +49,7 @@ Layout layout_of(const Figure& figure, const FigureStyle& style, const Rectangle
     if (!figure.axes) break;
     layout.across = ticks_across(window, layout.plot.width, tick_size, figure.x);
     layout.up = ticks_up(window, layout.plot.height, tick_size, figure.y);
-    left = border + name_size + 5 + widest(layout.up, tick_size) + 4;
+    left = picture_border + name_size + 5 + widest(layout.up, tick_size) + 4;
   }
   layout.legend_top = layout.plot.bottom() + (figure.axes ? 4 + tick_size + 3 + name_size + 2 : 4) + 3;
   layout.height = style.height ? *style.height * points_in_mm : layout.plot.bottom() + below;
@@ -68,7 +68,7 @@ void add_straight(std::string& svg, PrintPoint a, PrintPoint b, const char* colo
 
 void add_guides(std::string& svg, const Figure& figure, const Layout& layout, const View& view) {
   const Frame& plot = layout.plot;
-  if (!figure.plane && figure.axes) {
+  if (!figure.plane && figure.axes && figure.guides) {
     for (const Tick& tick : layout.up.list) {
       const double y = plot.bottom() - tick.fraction * plot.height;
       add_straight(svg, {plot.x, y}, {plot.right(), y}, palette::grid, 0.35);
@@ -88,26 +88,20 @@ void add_guides(std::string& svg, const Figure& figure, const Layout& layout, co
 
 }  // namespace
 
-std::string figure_svg(const Figure& figure, const FigureStyle& style) {
+DrawnFigure draw_figure(const Figure& figure, const FigureStyle& style, const std::string& frame_name) {
   const Rectangle window = drawable_window(style.window ? *style.window : figure.window);
   const double width = style.width * points_in_mm;
   const Figure nothing;
-  const Legend legend(style.legend ? figure : nothing, width - 2 * border);
+  const Legend legend(style.legend ? figure : nothing, width - 2 * picture_border, style.window ? &window : nullptr);
   const Layout layout = layout_of(figure, style, window, legend.height());
   const View view(window, layout.plot);
   std::string svg;
-  append_all(svg, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"", style.width, "mm\" height=\"",
-             hundredth(layout.height / points_in_mm), "mm\" viewBox=\"0 0 ", hundredth(layout.width), " ",
-             hundredth(layout.height),
-             "\" font-family=\"Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif\" fill=\"#222222\">\n");
-  append_all(svg, "<title>", escaped(figure.what),
-             "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n");
   for (std::size_t k = 0; k < layout.title.size(); ++k) {
-    add_text(svg, 0.5 * layout.width, border + title_size + static_cast<double>(k) * title_step, layout.title[k],
-             {.size = title_size, .anchor = "middle"});
+    add_text(svg, 0.5 * layout.width, picture_border + title_size + static_cast<double>(k) * title_step,
+             layout.title[k], {.size = title_size, .anchor = "middle"});
   }
   add_guides(svg, figure, layout, view);
-  add_layers(svg, figure, view, "plot");
+  add_layers(svg, figure, view, frame_name.c_str());
   std::optional<Inset> inset;
   if (style.inset) inset.emplace(figure, view, drawable_window(*style.inset));
   const Frame* const taken = inset ? &inset->outer() : nullptr;
@@ -118,13 +112,27 @@ std::string figure_svg(const Figure& figure, const FigureStyle& style) {
     const std::string x_text = axis_text(figure.x, layout.across), y_text = axis_text(figure.y, layout.up);
     const Frame& plot = layout.plot;
     add_text(svg, plot.x + 0.5 * plot.width, plot.bottom() + 4 + tick_size + 2 + name_size, x_text,
-             {.size = fitting_size(x_text, layout.width - 2 * border), .anchor = "middle"});
+             {.size = fitting_size(x_text, layout.width - 2 * picture_border), .anchor = "middle"});
     add_text(svg, plot.x - 5 - widest(layout.up, tick_size) - 4, plot.y + 0.5 * plot.height, y_text,
              {.size = fitting_size(y_text, plot.height + 20), .anchor = "middle", .upward = true});
   }
-  legend.draw(svg, border, layout.legend_top);
-  svg += "</svg>\n";
+  legend.draw(svg, picture_border, layout.legend_top);
+  return {std::move(svg), layout.width, layout.height};
+}
+
+std::string svg_document(const std::string& title, const DrawnFigure& drawn) {
+  std::string svg;
+  append_all(svg, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"", hundredth(drawn.width / points_in_mm),
+             "mm\" height=\"", hundredth(drawn.height / points_in_mm), "mm\" viewBox=\"0 0 ", hundredth(drawn.width),
+             " ", hundredth(drawn.height),
+             "\" font-family=\"Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif\" fill=\"#222222\">\n");
+  append_all(svg, "<title>", escaped(title), "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n",
+             drawn.elements, "</svg>\n");
   return svg;
+}
+
+std::string figure_svg(const Figure& figure, const FigureStyle& style) {
+  return svg_document(figure.what, draw_figure(figure, style, "plot"));
 }
 
 }  // namespace lober::cli

@@ -13,7 +13,14 @@
 namespace lober::cli {
 namespace {
 
-constexpr double inset_tick_size = 5.5, inset_gap = 3, inset_share = 0.42;  // share: part of the plot's sides
+constexpr double inset_tick_size = 5.5, inset_gap = 3;
+
+// Parts of the plot's sides that an inset has, and how many hidden cells of the occupancy each is worth.
+struct InsetShare {
+  double side, cells;
+};
+constexpr std::array<InsetShare, 4> inset_shares{{{0.46, 0}, {0.42, 4}, {0.36, 14}, {0.3, 30}}};
+constexpr int inset_steps = 12;  // across, and down
 
 // The lengths of lines and outlines, and the number of dots, on a coarse grid over the plot.
 class Occupancy {
@@ -84,28 +91,39 @@ double shared_area(const Frame& a, const Frame& b) {
 Inset::Inset(const Figure& figure, const View& plot, const Rectangle& window)
     : figure_(figure), plot_(plot), window_(window) {
   const Frame& all = plot.frame();
-  Frame room{0, 0, inset_share * all.width, inset_share * all.height};
-  inner_ = figure.plane ? fitted_frame(window, room) : room;
-  across_ = ticks_across(window, inner_.width, inset_tick_size, figure.x);
-  up_ = ticks_up(window, inner_.height, inset_tick_size, figure.y);
-  const double left = widest(up_, inset_tick_size) + 6,
-               below = inset_tick_size + 5 + (across_.power != 0 ? inset_tick_size + 2 : 0);
-  const double right = std::max(2.0, 0.4 * widest(across_, inset_tick_size));
-  const double width = inner_.width + left + right, height = inner_.height + below + 3;
   const Occupancy occupancy(figure, plot);
   const Frame source = source_of(plot, window);
   double least = HUGE_VAL;
-  for (const double x : {all.right() - width - inset_gap, all.x + inset_gap}) {
-    for (const double y : {all.y + inset_gap, all.bottom() - height - inset_gap}) {
-      const Frame box{x, y, width, height};
-      const double hidden = occupancy.within(box) + 1e3 * shared_area(box, source);
-      if (hidden >= least) continue;
-      least = hidden;
-      outer_ = box;
+  for (const InsetShare& share : inset_shares) {
+    const Frame room{0, 0, share.side * all.width, share.side * all.height};
+    Frame inner = figure.plane ? fitted_frame(window, room) : room;
+    const Ticks across = ticks_across(window, inner.width, inset_tick_size, figure.x);
+    const Ticks up = ticks_up(window, inner.height, inset_tick_size, figure.y);
+    const double left = widest(up, inset_tick_size) + 6,
+                 below = inset_tick_size + 5 + (across.power != 0 ? inset_tick_size + 2 : 0);
+    const double right = std::max(2.0, 0.4 * widest(across, inset_tick_size));
+    const double width = inner.width + left + right, height = inner.height + below + 3;
+    const double free_x = all.width - width - 2 * inset_gap, free_y = all.height - height - 2 * inset_gap;
+    if (free_x < 0 || free_y < 0) continue;
+    for (int row = 0; row <= inset_steps; ++row) {
+      for (int column = 0; column <= inset_steps; ++column) {
+        const Frame box{all.x + inset_gap + free_x * column / inset_steps,
+                        all.y + inset_gap + free_y * row / inset_steps, width, height};
+        // Corners first, where all else is equal.
+        const int to_side = std::min(column, inset_steps - column), to_end = std::min(row, inset_steps - row);
+        const double hidden =
+            occupancy.within(box) + share.cells + 1e3 * shared_area(box, source) + 0.3 * (to_side + to_end);
+        if (hidden >= least) continue;
+        least = hidden;
+        outer_ = box;
+        inner.x = box.x + left;
+        inner.y = box.y + 3;
+        inner_ = inner;
+        across_ = across;
+        up_ = up;
+      }
     }
   }
-  inner_.x = outer_.x + left;
-  inner_.y = outer_.y + 3;
 }
 
 void Inset::draw(std::string& svg) const {

@@ -1,4 +1,4 @@
-// A part of the plot that is shown once more, magnified, in the corner where it hides least.
+// A part of the plot that is shown once more, magnified, where it hides least.
 #pragma once
 
 #include <string>

@@ -1,6 +1,7 @@
 #include "cli/picture/layers_svg.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "cli/picture/labels.hpp"
@@ -15,13 +16,21 @@ namespace {
 constexpr std::size_t max_path_points = 60'000;  // points of a path: a picture stays below a megabyte or so
 constexpr double arrow_length = 4.5;
 
-void add_arrow_head(std::string& svg, PrintPoint from, PrintPoint apex, double length, std::string_view colour) {
+// Base, apex and base of a head.
+std::array<PrintPoint, 3> arrow_outline(PrintPoint from, PrintPoint apex) {
   const double distance = std::hypot(apex.x - from.x, apex.y - from.y);
-  if (!(distance > 0)) return;
-  const double x = (apex.x - from.x) / distance * length, y = (apex.y - from.y) / distance * length;
-  append_all(svg, "<path fill=\"", colour, "\" d=\"M", path_unit(apex.x), " ", path_unit(apex.y), "L",
-             path_unit(apex.x - x - 0.4 * y), " ", path_unit(apex.y - y + 0.4 * x), " ",
-             path_unit(apex.x - x + 0.4 * y), " ", path_unit(apex.y - y - 0.4 * x), "z\"/>\n");
+  if (!(distance > 0)) return {apex, apex, apex};
+  const double x = (apex.x - from.x) / distance * arrow_length, y = (apex.y - from.y) / distance * arrow_length;
+  return {PrintPoint{apex.x - x - 0.4 * y, apex.y - y + 0.4 * x}, apex,
+          PrintPoint{apex.x - x + 0.4 * y, apex.y - y - 0.4 * x}};
+}
+
+void add_arrow_head(std::string& svg, PrintPoint from, PrintPoint apex, std::string_view colour) {
+  const auto [first, apex_point, second] = arrow_outline(from, apex);
+  if (first == apex_point) return;
+  append_all(svg, "<path fill=\"", colour, "\" d=\"M", path_unit(apex_point.x), " ", path_unit(apex_point.y), "L",
+             path_unit(first.x), " ", path_unit(first.y), " ", path_unit(second.x), " ", path_unit(second.y),
+             "z\"/>\n");
 }
 
 // Heads along a line, the first one half a spacing from its beginning, or one at its end.
@@ -30,7 +39,7 @@ void add_arrows(std::string& svg, const Layer& layer, const View& view, const Po
   double left = 0.5 * layer.arrows;
   for (const auto& part : clipped_line(view, line.points(), line.closed, 0)) {
     if (layer.arrow_at_end) {
-      add_arrow_head(svg, part[part.size() - 2], part.back(), arrow_length, colour);
+      add_arrow_head(svg, part[part.size() - 2], part.back(), colour);
       continue;
     }
     for (std::size_t k = 0; k + 1 < part.size(); ++k) {
@@ -41,7 +50,7 @@ void add_arrows(std::string& svg, const Layer& layer, const View& view, const Po
         done += left;
         left = layer.arrows;
         const PrintPoint apex{a.x + done / length * (b.x - a.x), a.y + done / length * (b.y - a.y)};
-        add_arrow_head(svg, a, apex, arrow_length, colour);
+        add_arrow_head(svg, a, apex, colour);
       }
       left -= length - done;
     }
@@ -169,7 +178,10 @@ void add_labels(std::string& svg, const Figure& figure, const View& view, const 
   for (const Layer& layer : figure.layers) {
     if (layer.kind == LayerKind::line && layer.width < 1.5) {  // bands may be written on
       for (const Polyline& line : layer.lines) {
-        for (const auto& part : clipped_line(view, line.points(), line.closed, 0)) labels.avoid_line(part);
+        for (const auto& part : clipped_line(view, line.points(), line.closed, 0)) {
+          labels.avoid_line(part);
+          if (layer.arrow_at_end) labels.avoid_line(arrow_outline(part[part.size() - 2], part.back()));
+        }
       }
     }
     if (layer.kind != LayerKind::dots || layer.points.size() > 300) continue;
@@ -181,7 +193,8 @@ void add_labels(std::string& svg, const Figure& figure, const View& view, const 
     const double size = scale * label.size;
     switch (label.position) {
       case FigureLabel::Position::beside:
-        if (view.contains(label.at)) labels.add_beside(view(label.at), label.radius, label.text, size);
+        if (view.contains(label.at) && !(taken != nullptr && taken->holds(view(label.at))))
+          labels.add_beside(view(label.at), label.radius, label.text, size);
         break;
       case FigureLabel::Position::inside:
         labels.add_inside(small_polygon(view, label.polygon.points()), label.text, size);

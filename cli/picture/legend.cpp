@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/picture/path_writer.hpp"
 #include "cli/picture/rich_text.hpp"
 #include "cli/report/text.hpp"
 
@@ -37,6 +38,22 @@ void add_sample(std::string& svg, const Layer& layer) {
   }
 }
 
+// Whether a window shows any of a layer. Layers of nothing but a legend are for others that they explain.
+bool is_seen(const Layer& layer, const Rectangle& window) {
+  if (layer.lines.empty() && layer.points.empty() && layer.boxes.empty()) return true;
+  const View view(window, {0, 0, 100, 100});
+  const auto holds = [&](const Polyline& line) {
+    return layer.kind == LayerKind::fill ? !clipped_polygon(view, line.points(), 0).empty()
+                                         : !clipped_line(view, line.points(), line.closed, 0).empty();
+  };
+  const auto overlaps = [&](const Rectangle& box) {
+    return box.min_x < window.max_x && box.max_x > window.min_x && box.min_y < window.max_y && box.max_y > window.min_y;
+  };
+  return std::any_of(layer.lines.begin(), layer.lines.end(), holds) ||
+         std::any_of(layer.points.begin(), layer.points.end(), [&](Point point) { return view.contains(point); }) ||
+         std::any_of(layer.boxes.begin(), layer.boxes.end(), overlaps);
+}
+
 }  // namespace
 
 void add_dot(std::string& svg, const Layer& layer, double x, double y, double scale) {
@@ -67,7 +84,7 @@ void add_dot(std::string& svg, const Layer& layer, double x, double y, double sc
   }
 }
 
-Legend::Legend(const Figure& figure, double width) {
+Legend::Legend(const Figure& figure, double width, const Rectangle* window) {
   const double text_room = width - text_indent;
   const auto add = [&](const Layer* layer, const std::string& text) {
     if (text.empty()) return;
@@ -77,35 +94,41 @@ Legend::Legend(const Figure& figure, double width) {
     }
     entries_.push_back({layer, lines});
   };
-  for (const Layer& layer : figure.layers) add(&layer, layer.legend);
+  for (const Layer& layer : figure.layers) {
+    if (window == nullptr || is_seen(layer, *window)) add(&layer, layer.legend);
+  }
   for (const std::string& note : figure.notes) add(nullptr, note);
   if (entries_.empty()) return;
-  // The largest number of columns, each as wide as its longest text, filled row by row.
+  // In columns of one width; a longer entry takes several of them. The number of columns is the one with fewest rows.
   const auto entry_width = [](const Entry& entry) {
     double widest = 0;
     for (const std::string& line : entry.lines) widest = std::max(widest, text_width(line, font_size));
     return widest + (entry.layer == nullptr ? 0 : text_indent);
   };
-  for (std::size_t count = std::min(entries_.size(), max_columns); count > 0; --count) {
-    std::vector<double> widths(count, 0.0);
-    for (std::size_t k = 0; k < entries_.size(); ++k) {
-      widths[k % count] = std::max(widths[k % count], entry_width(entries_[k]));
+  const auto arrange = [&](std::size_t columns) {
+    const double step = (width + column_gap) / static_cast<double>(columns);
+    std::vector<Position> positions;
+    std::size_t row = 0, next = 0;
+    for (const Entry& entry : entries_) {
+      const auto wanted = static_cast<std::size_t>(std::ceil((entry_width(entry) + column_gap) / step));
+      const std::size_t span = std::clamp<std::size_t>(wanted, 1, columns);
+      if (next + span > columns) ++row, next = 0;
+      positions.push_back({row, static_cast<double>(next) * step});
+      next += span;
     }
-    columns_.clear();
-    double x = 0;
-    for (const double column : widths) {
-      columns_.push_back(x);
-      x += column + column_gap;
-    }
-    if (x - column_gap <= width) break;
+    return positions;
+  };
+  positions_ = arrange(1);
+  for (std::size_t columns = 2; columns <= max_columns; ++columns) {
+    std::vector<Position> positions = arrange(columns);
+    if (positions.back().row < positions_.back().row) positions_ = std::move(positions);
   }
   double y = 0;
-  for (std::size_t k = 0; k < entries_.size(); k += columns_.size()) {
+  for (std::size_t k = 0; k < entries_.size();) {
     row_tops_.push_back(y);
     std::size_t lines = 1;
-    for (std::size_t j = k; j < std::min(entries_.size(), k + columns_.size()); ++j) {
-      lines = std::max(lines, entries_[j].lines.size());
-    }
+    const std::size_t row = positions_[k].row;
+    for (; k < entries_.size() && positions_[k].row == row; ++k) lines = std::max(lines, entries_[k].lines.size());
     y += static_cast<double>(lines) * line_step + row_gap;
   }
   row_tops_.push_back(y);
@@ -118,8 +141,8 @@ double Legend::height() const {
 void Legend::draw(std::string& svg, double x, double y) const {
   for (std::size_t k = 0; k < entries_.size(); ++k) {
     const Entry& entry = entries_[k];
-    append_all(svg, "<g transform=\"translate(", hundredth(x + columns_[k % columns_.size()]), " ",
-               hundredth(y + row_tops_[k / columns_.size()] + line_step / 2), ")\">");
+    append_all(svg, "<g transform=\"translate(", hundredth(x + positions_[k].x), " ",
+               hundredth(y + row_tops_[positions_[k].row] + line_step / 2), ")\">");
     if (entry.layer != nullptr) add_sample(svg, *entry.layer);
     for (std::size_t line = 0; line < entry.lines.size(); ++line) {
       add_text(svg, entry.layer != nullptr ? text_indent : 0, 0.36 * font_size + static_cast<double>(line) * line_step,

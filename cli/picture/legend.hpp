@@ -10,8 +10,9 @@ namespace lober::cli {
 
 class Legend {
  public:
-  /// The texts of the layers and notes of a figure, each once, for this width in points of print. Borrows the figure.
-  Legend(const Figure& figure, double width);
+  /// The texts of the layers and notes of a figure, each once, for this width in points of print; of layers that have
+  /// something in `window`, or all. Borrows the figure.
+  Legend(const Figure& figure, double width, const Rectangle* window);
 
   [[nodiscard]] double height() const;  ///< 0 where there is nothing to say
   /// Appends it with its upper left corner at (x, y).
@@ -22,9 +23,13 @@ class Legend {
     const Layer* layer = nullptr;  // null: a note
     std::vector<std::string> lines{};
   };
+  struct Position {
+    std::size_t row;
+    double x;
+  };
   std::vector<Entry> entries_;
-  std::vector<double> columns_;   // where each begins
-  std::vector<double> row_tops_;  // and one past the last
+  std::vector<Position> positions_;  // where each entry is
+  std::vector<double> row_tops_;     // and one past the last
 };
 
 /// A dot of a layer about (x, y), all lengths times `scale`.

@@ -4,8 +4,12 @@
 
 #include "cli/picture/conversion.hpp"
 #include "cli/picture/figure_data.hpp"
+#include "cli/picture/system_figure.hpp"
+#include "cli/picture/view.hpp"
+#include "cli/program/log.hpp"
 #include "cli/program/output_names.hpp"
 #include "lober/base/error.hpp"
+#include "lober/curve/drawing.hpp"
 #include "lober/curve/files.hpp"
 
 namespace lober::cli {
@@ -21,10 +25,32 @@ Rectangle corners(const char* option, const std::vector<double>& values) {
   return Rectangle::of({values[0], values[1]}, {values[2], values[3]});
 }
 
+std::string corners_text(const Rectangle& box) {
+  return rounded(box.min_x) + "," + rounded(box.min_y) + "," + rounded(box.max_x) + "," + rounded(box.max_y);
+}
+
+bool are_apart(const Rectangle& a, const Rectangle& b) {
+  return a.min_x >= b.max_x || a.max_x <= b.min_x || a.min_y >= b.max_y || a.max_y <= b.min_y;
+}
+
+// The inset magnifies a part of the window.
+void check_inset(const Rectangle& inset, const Rectangle& window) {
+  const auto is_in = [](const Rectangle& inner, const Rectangle& outer) {
+    return inner.min_x >= outer.min_x && inner.max_x <= outer.max_x && inner.min_y >= outer.min_y &&
+           inner.max_y <= outer.max_y;
+  };
+  if (is_in(inset, widened(window, 1e-4))) return;  // messages name corners with six digits
+  const bool apart = are_apart(inset, window);
+  throw UsageError("--inset " + corners_text(inset) + (apart ? " lies outside of" : " reaches beyond") +
+                   " the part of the plane that the picture shows, " + corners_text(window) +
+                   "; give corners inside of it, or another --window");
+}
+
 }  // namespace
 
 std::vector<Output> PictureRequest::outputs() const {
-  (void)style();
+  const FigureStyle asked = style();
+  if (asked.inset && asked.window) check_inset(*asked.inset, *asked.window);
   if (labels && no_labels) throw UsageError("--labels and --no-labels contradict each other; give one of them");
   std::vector<Output> outputs;
   if (!file.empty()) outputs.push_back({"--picture", file});
@@ -39,6 +65,7 @@ FigureStyle PictureRequest::style() const {
   if (!size.empty()) style.width = size[0];
   if (size.size() > 1) style.height = size[1];
   style.legend = !no_legend;
+  style.title = no_title ? "" : title;
   return style;
 }
 
@@ -69,8 +96,8 @@ Option add_picture_options(OptionParser& parser, PictureRequest& request, const 
       .needs(picture);
   parser
       .add("--inset", request.inset,
-           "Two corners of a part of the plane that the picture shows once more, magnified, in the corner where that "
-           "hides least (default: none).")
+           "Two corners of a part of the plane that the picture shows once more, magnified, where that hides least "
+           "(default: none).")
       .comma_separated()
       .count(4)
       .value("X0,Y0,X1,Y1")
@@ -84,12 +111,23 @@ Option add_picture_options(OptionParser& parser, PictureRequest& request, const 
       .range(30.0, 2000.0)
       .value("WIDTH[,HEIGHT]")
       .needs(picture);
+  const Option title =
+      parser
+          .add_call(
+              "--title", [&request](const std::string& text) { request.title = text; },
+              "The line above the picture, with _{...} for subscripts and ^{...} for superscripts (default: the system "
+              "and its parameters, or the curves).")
+          .value("TEXT")
+          .needs(picture);
+  parser.add_flag("--no-title", request.no_title, "Leave out the line above the picture.")
+      .needs(picture)
+      .excludes(title);
   parser.add_flag("--no-legend", request.no_legend, "Leave out the legend of the picture.").needs(picture);
   if (!named_things.empty()) {
     parser
         .add_flag("--labels", request.labels,
                   ("Name " + named_things +
-                   " in the picture, as far as there is room (default: where there are at most 30 lobes).")
+                   " in the picture, as far as there is room (default: where there are at most 30 lobes or points).")
                       .c_str())
         .needs(picture);
     parser.add_flag("--no-labels", request.no_labels, "Name nothing in the picture.").needs(picture);
@@ -110,7 +148,13 @@ void write_figure(const std::string& path, const Figure& figure, const FigureSty
 }
 
 void write_figure(const PictureRequest& request, const Figure& figure) {
-  if (!request.file.empty()) write_figure(request.file, figure, request.style());
+  const FigureStyle style = request.style();
+  if (style.inset && !request.file.empty())
+    check_inset(*style.inset, drawable_window(style.window.value_or(figure.window)));
+  if (style.window && are_apart(*style.window, drawable_window(figure.window))) {
+    log_warning("--window " + corners_text(*style.window) + " shows nothing; all is in " + corners_text(figure.window));
+  }
+  if (!request.file.empty()) write_figure(request.file, figure, style);
   if (request.data.empty()) return;
   write_file(request.data, request.data.ends_with(".json") ? figure_json(figure) : figure_csv(figure));
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,9 @@ namespace lober::cli {
 
 struct PictureRequest {
   std::string file, data;
+  std::optional<std::string> title{};
   std::vector<double> window, inset, size;
-  bool no_legend = false, labels = false, no_labels = false;
+  bool no_legend = false, no_title = false, labels = false, no_labels = false;
 
   [[nodiscard]] bool asked() const { return !file.empty() || !data.empty(); }
   /// The files, for check_outputs; throws UsageError for options that contradict themselves.
@@ -24,7 +26,8 @@ struct PictureRequest {
   [[nodiscard]] bool labels_for(std::size_t count) const;
 };
 
-/// Adds --picture FILE (or --svg, its old name), --data, --window, --size, --inset and --no-legend; with `named_things`
+/// Adds --picture FILE (or --svg, its old name), --data, --window, --size, --inset, --title, --no-title and
+/// --no-legend; with `named_things`
 /// ("fixed points, pips and lobes") --labels and --no-labels too. `what` completes "Draw ... in FILE". Returns the
 /// option of the picture. `names`: those of --picture.
 Option add_picture_options(OptionParser& parser, PictureRequest& request, const std::string& what,
@@ -36,7 +39,7 @@ Option add_further_picture(OptionParser& parser, const char* names, std::string&
 /// Writes a picture in the format of its ending, .svg, .pdf or .png (400 pixels an inch); SVG without one. Throws
 /// DataError where the file cannot be written, or a library that converts it is missing.
 void write_figure(const std::string& path, const Figure& figure, const FigureStyle& style);
-/// Writes the files of the request.
+/// Writes the files of the request. Throws UsageError for an inset that is not a part of the window.
 void write_figure(const PictureRequest& request, const Figure& figure);
 
 }  // namespace lober::cli

@@ -1,9 +1,11 @@
 #include "cli/picture/system_figure.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
 #include "cli/report/text.hpp"
+#include "engine/operations/section_edge.hpp"
 #include "lober/curve/drawing.hpp"
 
 namespace lober::cli {
@@ -18,8 +20,28 @@ std::string system_title(const SystemInfo& system) {
   return text;
 }
 
+namespace {
+
+// The coordinates that the summary of a system names last: "period map in (x, x')", "plane (x, p)".
+void name_axes_by_summary(Figure& figure, std::string_view summary) {
+  for (const std::string_view before : {" in (", "plane ("}) {
+    const std::size_t at = summary.rfind(before);
+    if (at == std::string_view::npos) continue;
+    const std::string_view pair = summary.substr(at + before.size());
+    const std::size_t comma = pair.find(", "), end = pair.find(')');
+    if (comma == std::string_view::npos || end == std::string_view::npos || comma > end) continue;
+    const std::string_view x = pair.substr(0, comma), y = pair.substr(comma + 2, end - comma - 2);
+    if (x.empty() || y.empty() || x.size() > 8 || y.size() > 8) continue;
+    figure.x.name = x;
+    figure.y.name = y;
+    return;
+  }
+}
+
+}  // namespace
+
 void name_axes(Figure& figure, const System& system) {
-  if (!system.section || !system.flow) return;
+  if (!system.section || !system.flow) return name_axes_by_summary(figure, system.info.summary);
   // Positions, then velocities or momenta.
   constexpr std::array<const char*, 3> of_three{"x", "y", "z"};
   constexpr std::array<const char*, 4> of_four{"x", "y", "v_{x}", "v_{y}"};
@@ -30,18 +52,99 @@ void name_axes(Figure& figure, const System& system) {
   };
   figure.x.name = name(system.section->chart_x);
   figure.y.name = name(system.section->chart_y);
+  const auto conjugate = [&](const ConjugatePair& pair) {
+    return pair.q == system.section->chart_x && pair.p == system.section->chart_y;
+  };
+  const auto pairs = system.flow->conjugate_pairs();
+  if (std::any_of(pairs.begin(), pairs.end(), conjugate)) figure.plane = false;
 }
 
-void name_axes(Figure& figure, const std::string& remark) {
-  constexpr std::string_view begin = "columns named ", middle = " and ", end = ",";
-  const std::size_t at = remark.find(begin);
-  if (at == std::string::npos) return;
-  const std::size_t first = at + begin.size(), between = remark.find(middle, first);
-  if (between == std::string::npos) return;
-  const std::size_t second = between + middle.size();
-  figure.x.name = remark.substr(first, between - first);
-  figure.y.name = remark.substr(second, remark.find(end, second) - second);
-  if (remark.find("square degrees") != std::string::npos) figure.x.unit = figure.y.unit = "degrees";
+Rectangle add_section_edge(Figure& figure, const Flow& flow, const Section& section, double energy,
+                           const Rectangle& box) {
+  Layer layer = line_layer("edge of the section", "edge: no points of this energy beyond", palette::ink, 0.5);
+  Rectangle closed;
+  for (LevelCurve& curve : detail::section_edge(flow, section, energy, box)) {
+    if (curve.closed) closed = include(closed, curve.points);
+    layer.lines.push_back(polyline(std::move(curve.points), curve.closed));
+  }
+  if (!layer.lines.empty()) figure.layers.push_back(std::move(layer));
+  return closed;
+}
+
+void add_section_edge(Figure& figure, const System& system) {
+  if (!system.section || !system.flow) return;
+  for (const Parameter& parameter : system.info.parameters) {
+    if (parameter.name == "energy") {
+      add_section_edge(figure, *system.flow, *system.section, parameter.value, figure.window);
+    }
+  }
+}
+
+namespace {
+
+// The cells of a header: what is in quotes, or else what commas, semicolons, tabs or blanks part.
+std::vector<std::string> header_cells(std::string_view header) {
+  std::vector<std::string> cells;
+  for (std::size_t quote = header.find('"'); quote != std::string_view::npos;) {
+    const std::size_t end = header.find('"', quote + 1);
+    if (end == std::string_view::npos) break;
+    cells.emplace_back(header.substr(quote + 1, end - quote - 1));
+    quote = header.find('"', end + 1);
+  }
+  if (cells.size() >= 2) return cells;
+  cells.clear();
+  char separator = ' ';
+  for (const char candidate : {'\t', ';', ','}) {
+    if (header.find(candidate) != std::string_view::npos) separator = candidate;
+  }
+  for (std::size_t begin = 0; begin <= header.size();) {
+    const std::size_t end = std::min(header.find(separator, begin), header.size());
+    std::string_view cell = header.substr(begin, end - begin);
+    while (!cell.empty() && std::string_view(" #\"\r").find(cell.front()) != std::string_view::npos)
+      cell.remove_prefix(1);
+    while (!cell.empty() && std::string_view(" \"\r").find(cell.back()) != std::string_view::npos)
+      cell.remove_suffix(1);
+    if (!cell.empty()) cells.emplace_back(cell);
+    begin = end + 1;
+  }
+  return cells;
+}
+
+// "easting (km)" and "easting [km]" are a name with its unit.
+Axis axis_of(const std::string& cell) {
+  constexpr std::size_t max_name = 60;
+  for (const auto& [open, close] : {std::pair{'(', ')'}, {'[', ']'}}) {
+    const std::size_t at = cell.find(open);
+    if (at == std::string::npos || at == 0 || cell.back() != close) continue;
+    const std::size_t end = cell.find_last_not_of(' ', at - 1);
+    if (end == std::string::npos) continue;
+    return {cell.substr(0, std::min(end + 1, max_name)), cell.substr(at + 1, cell.size() - at - 2)};
+  }
+  return {cell.substr(0, max_name)};
+}
+
+}  // namespace
+
+void name_axes(Figure& figure, const NamedCurve& input) {
+  const std::vector<std::string> cells = header_cells(input.header);
+  if (cells.size() >= 2) {
+    figure.x = axis_of(cells[0]);
+    figure.y = axis_of(cells[1]);
+  }
+  if (input.remark.find("square degrees") == std::string::npos) return;
+  for (Axis* const axis : {&figure.x, &figure.y}) {
+    if (axis->unit.empty()) axis->unit = "degrees";
+  }
+}
+
+std::vector<Point> orbit_positions(const Flow& flow, const PeriodicOrbit& orbit) {
+  constexpr std::size_t count = 256;
+  const auto pairs = flow.conjugate_pairs();
+  std::vector<Point> points;
+  for (const FlowState& state : states_along(flow, orbit, count, {.tolerance = 1e-14})) {
+    points.push_back({state[static_cast<std::size_t>(pairs[0].q)], state[static_cast<std::size_t>(pairs[1].q)]});
+  }
+  return points;
 }
 
 std::string short_name(const std::string& spec) {

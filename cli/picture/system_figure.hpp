@@ -5,16 +5,29 @@
 #include <vector>
 
 #include "cli/picture/figure.hpp"
+#include "lober/curve/files.hpp"
+#include "lober/dynamics/periodic_orbit.hpp"
 #include "lober/dynamics/systems.hpp"
 
 namespace lober::cli {
 
 /// "ovp: gamma = 0.5, eps = 0.1, phase = 0", the title of a picture.
 [[nodiscard]] std::string system_title(const SystemInfo& system);
-/// The names of the coordinates of the system's map: x and y, or those of its section.
+/// The names of the coordinates of the system's map: those of its section, which are not drawn to one scale where one
+/// is a position and the other a velocity, or those that its summary names; x and y otherwise.
 void name_axes(Figure& figure, const System& system);
-/// The names of the columns that a remark on a curve that was read speaks of; x and y where there is none.
-void name_axes(Figure& figure, const std::string& remark);
+/// Adds the curves beyond which the section has no points of this energy, as far as `box` reaches. Returns the box of
+/// those that are closed. Nothing for sections of flows without a Hamiltonian.
+Rectangle add_section_edge(Figure& figure, const Flow& flow, const Section& section, double energy,
+                           const Rectangle& box);
+/// The same for the section of the system's own map, which has its energy as a parameter.
+void add_section_edge(Figure& figure, const System& system);
+/// The names of the columns of the file, with their units, as in "easting (km)"; degrees where these are longitudes and
+/// latitudes. x and y where the file has no names.
+void name_axes(Figure& figure, const NamedCurve& input);
+
+/// Points of a periodic orbit at equal times, in the two coordinates of position.
+[[nodiscard]] std::vector<Point> orbit_positions(const Flow& flow, const PeriodicOrbit& orbit);
 
 /// The box widened by a thirtieth on each side, so that nothing lies on the frame.
 [[nodiscard]] Rectangle with_margin(const Rectangle& box);

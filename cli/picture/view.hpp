@@ -13,6 +13,7 @@ struct Frame {
   double x = 0, y = 0, width = 0, height = 0;
   [[nodiscard]] double right() const { return x + width; }
   [[nodiscard]] double bottom() const { return y + height; }
+  [[nodiscard]] bool holds(PrintPoint p) const { return p.x > x && p.x < right() && p.y > y && p.y < bottom(); }
 };
 
 /// Positions are taken against the window in extended precision: windows of 1e-12 and of 1e300 are drawn alike.

@@ -42,8 +42,9 @@ constexpr std::string_view accuracy_group[]{"--angle",
                                             "--method"};
 constexpr std::string_view files_to_read[]{"--manifolds"};
 constexpr std::string_view results_group[]{"--bibtex", "--format", "--markdown", "--table"};
-constexpr std::string_view pictures_group[]{"--svg",  "--picture",   "--fluxes", "--data",      "--window", "--inset",
-                                            "--size", "--no-legend", "--labels", "--no-labels", "--html"};
+constexpr std::string_view pictures_group[]{
+    "--svg",      "--picture",   "--fluxes",          "--data",      "--window", "--inset",     "--size", "--title",
+    "--no-title", "--normalise", "--periodic-orbits", "--no-legend", "--labels", "--no-labels", "--html"};
 constexpr std::string_view running_group[]{"--budget",  "--memory",  "--progress", "--quiet", "--shard",
                                            "--threads", "--verbose", "--version",  "--help"};
 

@@ -87,8 +87,9 @@ void check_outputs(std::span<const Output> outputs, std::span<const std::string>
   }
 }
 
-std::vector<Output> checked_outputs(std::initializer_list<Output> named, std::span<const std::string> inputs) {
-  std::vector<Output> outputs;
+std::vector<Output> checked_outputs(std::initializer_list<Output> named, std::span<const std::string> inputs,
+                                    std::vector<Output> further) {
+  std::vector<Output> outputs = std::move(further);
   std::copy_if(named.begin(), named.end(), std::back_inserter(outputs),
                [](const Output& output) { return !output.path.empty(); });
   check_outputs(outputs, inputs);

@@ -33,9 +33,10 @@ struct Output {
 /// files that a manifest names (engine/base/input_guard.hpp).
 void check_outputs(std::span<const Output> outputs, std::span<const std::string> inputs);
 
-/// The outputs that were named, checked.
+/// The outputs that were named, and further ones, checked.
 [[nodiscard]] std::vector<Output> checked_outputs(std::initializer_list<Output> named,
-                                                  std::span<const std::string> inputs);
+                                                  std::span<const std::string> inputs,
+                                                  std::vector<Output> further = {});
 
 /// Whether one of the files is standard output, which holds one thing only: then nothing else is printed there.
 [[nodiscard]] bool takes_standard_output(std::span<const Output> outputs);

@@ -70,7 +70,7 @@ constexpr OwnCommand own_commands[]{
     {"systems", run_systems, "[SYSTEM]", "lists the built-in systems; shows the parameters and manifolds of one",
      CommandGroup::systems},
     {"batch", run_batch_command, "run MANIFEST",
-     "computes many curves and pairs; also batch check, status, export, merge, manifest and operations",
+     "computes many curves and pairs; also batch check, status, export, page, picture, merge, manifest and operations",
      CommandGroup::many},
     {"schema", run_schema, "[OPERATION]", "prints what is in the JSON of an operation, with units and meanings",
      CommandGroup::program},

@@ -14,6 +14,7 @@
 #include "cli/program/system_options.hpp"
 #include "cli/program/table_options.hpp"
 #include "cli/report/outcome_json.hpp"
+#include "cli/report/table.hpp"
 #include "cli/section/section_output.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/operations/picture_size.hpp"
@@ -87,9 +88,13 @@ std::string section_table(const System& system, const SystemSection& result) {
   if (result.exit_times) {
     const std::vector<std::uint64_t> counts = result.exit_times->counts();
     const double all = static_cast<double>(result.orbits - counts[0]);
+    const bool is_markdown = table_format() == TableFormat::markdown;
+    const Table table({{"leave after crossing"}, {"orbits"}, {"share", 0, Align::right, 1, "%"}});
+    if (is_markdown && counts.size() > 1) text += table.head();
     for (std::size_t n = 1; n < counts.size(); ++n) {
       const double share = 100 * static_cast<double>(counts[n]) / all;
-      text += fmt::format("leave      after crossing {}: {} orbits, {:.4g} %\n", n, counts[n], share);
+      text += is_markdown ? table.row({std::to_string(n), std::to_string(counts[n]), fmt::format("{:.4g}", share)})
+                          : fmt::format("leave      after crossing {}: {} orbits, {:.4g} %\n", n, counts[n], share);
     }
     text += fmt::format("stay       {} orbits\n", result.exit_times->staying());
   }
@@ -144,7 +149,7 @@ void run(const SectionRequest& request) {
   }
   const auto& found = outcome.as<SystemSection>();
   if (!takes_standard_output(outputs)) {
-    print(section_table(system, found));
+    print_report(section_table(system, found));
   } else if (found.lost > 0) {
     log_warning(fmt::format("{} orbits end before the last iterate", found.lost));
   }
@@ -179,6 +184,7 @@ void run_section(const std::vector<std::string>& arguments) {
   options["exit_times"].needs(
       add_picture_options(parser, request.picture, "the density of the points, or the exit times,"));
   add_json_option(parser, request.json);
+  add_table_option(parser);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return;
   if (!request.output.empty()) OrbitFile::require_name(request.output);

@@ -16,7 +16,7 @@
 namespace lober::cli {
 namespace {
 
-constexpr std::array<const char*, 6> density_colours{"#b5c8dc", "#93b0d0", "#6b93bf", "#3f6fa5", "#224b7d", "#0d2749"};
+constexpr std::array<const char*, 6> density_colours{"#8fb0d4", "#6f98c6", "#5080b5", "#35659c", "#1d457a", "#0d2749"};
 
 // One level of counts is twice the one before, up to the last, which is the darkest.
 std::size_t level_of(std::uint32_t count, std::uint32_t largest) {
@@ -41,7 +41,6 @@ constexpr const char* staying_colour = "#dddddd";
 Figure section_frame(const Rectangle& window, const System& system, const char* what) {
   Figure figure{.what = what, .title = system_title(system.info)};
   name_axes(figure, system);
-  figure.plane = !system.section.has_value();
   figure.window = window;
   return figure;
 }
@@ -117,6 +116,7 @@ Figure section_figure(const Density& density, const System& system) {
         });
     figure.layers.push_back(std::move(layer));
   }
+  add_section_edge(figure, system);
   return figure;
 }
 
@@ -140,6 +140,7 @@ Figure exit_times_figure(const operations::ExitTimes& times, std::size_t iterate
   }
   add(staying_colour, "does not leave in " + std::to_string(iterates) + " crossings",
       [](std::uint32_t time) { return time == operations::ExitTimes::stays; });
+  add_section_edge(figure, system);
   return figure;
 }
 

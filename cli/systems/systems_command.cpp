@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/picture/picture_options.hpp"
 #include "cli/program/command_line.hpp"
 #include "cli/program/option_parser.hpp"
 #include "cli/program/system_options.hpp"
 #include "cli/report/json_file.hpp"
+#include "cli/report/table.hpp"
+#include "cli/systems/system_portrait.hpp"
 #include "lober/dynamics/fixed_points.hpp"
 #include "lober/dynamics/systems.hpp"
 
@@ -55,8 +58,9 @@ std::string symmetry_text(const Symmetry& symmetry) {
 std::string list_text(std::span<const SystemInfo> infos) {
   std::size_t width = 0;
   for (const SystemInfo& info : infos) width = std::max(width, info.name.size());
-  std::string text;
-  for (const SystemInfo& info : infos) text += fmt::format("{:<{}}  {}\n", info.name, width, info.summary);
+  const Table table({{"system", width, Align::left, 0}, {"equations, and the map", 0, Align::left, 2}});
+  std::string text = table_format() == TableFormat::markdown ? table.head() : "";
+  for (const SystemInfo& info : infos) text += table.row({info.name, info.summary});
   return text + "`lober systems NAME` lists the parameters of one; a name with a slash or .so is a shared library.\n";
 }
 
@@ -76,9 +80,12 @@ std::vector<FixedPoint> fixed_points_of(const System& system) {
 
 std::string details_text(const System& system, std::span<const FixedPoint> points) {
   std::string text = system.info.name + "  " + system.info.summary + "\n";
+  const Table parameters(
+      {{"parameter", 8, Align::left, 2}, {"value", 18, Align::left}, {"meaning and range", 0, Align::left}});
+  if (table_format() == TableFormat::markdown && !system.info.parameters.empty()) text += parameters.head();
   for (const Parameter& parameter : system.info.parameters) {
     text +=
-        fmt::format("  {:<8} {:<18} {}{}\n", parameter.name, parameter.value, parameter.meaning, range_text(parameter));
+        parameters.row({parameter.name, fmt::format("{}", parameter.value), parameter.meaning + range_text(parameter)});
   }
   text += fmt::format("kind       {}\n", system.flow ? system.map ? "flow, with a planar map" : "flow" : "map");
   const Rectangle& window = system.window;
@@ -175,6 +182,7 @@ Json details_json(const System& system, std::span<const FixedPoint> points) {
 void run_systems(const std::vector<std::string>& arguments) {
   SystemRequest request;
   std::string json_path;
+  PictureRequest picture;
   OptionParser parser(
       "Lists the built-in systems; with a name, shows the equations, parameters, fixed points, saddles and manifolds "
       "of "
@@ -182,18 +190,21 @@ void run_systems(const std::vector<std::string>& arguments) {
       "lober systems");
   parser.add_example("lober systems", "the names of all systems");
   parser.add_example("lober systems ovp --param gamma=0.5", "the equations, parameters and manifolds of one");
+  parser.add_example("lober systems duffing --picture duffing.svg", "its phase portrait");
   parser.add("SYSTEM", request.name, "The name of a system, or a shared library (lober_system.h).");
   add_parameter_option(parser, request.parameters);
+  add_picture_options(parser, picture, "orbits, fixed points and manifolds of SYSTEM",
+                      "fixed points by their residues");
   add_json_option(parser, json_path, "the list");
+  add_table_option(parser);
   if (!parser.parse(arguments)) return;
-
-  const Output json_output{"--json", json_path};
-  const std::vector<std::string> inputs = files_of_system(request.name);
-  if (!json_path.empty()) check_outputs({&json_output, 1}, inputs);
+  const std::vector<Output> outputs =
+      checked_outputs({{"--json", json_path}}, files_of_system(request.name), picture.outputs());
   std::string text;
   Json json;
   if (request.name.empty()) {
     if (!request.parameters.empty()) throw UsageError("--param needs the name of a system");
+    if (picture.asked()) throw UsageError("--picture and --data need the name of a system");
     const std::vector<SystemInfo> infos = list_systems();
     text = list_text(infos);
     json = Json::array();
@@ -203,9 +214,10 @@ void run_systems(const std::vector<std::string>& arguments) {
     const std::vector<FixedPoint> points = fixed_points_of(system);
     text = details_text(system, points);
     json = details_json(system, points);
+    if (picture.asked()) write_figure(picture, system_portrait(system, points, picture.labels_for(points.size())));
   }
   if (!json_path.empty()) write_listing(json_path, "systems", "systems", std::move(json));
-  if (json_path != "-") print(text);
+  if (!takes_standard_output(outputs)) print_report(text);
 }
 
 }  // namespace lober::cli

@@ -168,12 +168,12 @@ Figure tangle_figure(const TangleReport& report, const PictureRequest& how) {
     name_axes(figure, *report.origin->system);
   } else {
     figure.title = "U " + short_name(spec_of(report.inputs[0])) + ", S " + short_name(spec_of(report.inputs[1]));
-    name_axes(figure, report.inputs[0].remark);
+    name_axes(figure, report.inputs[0]);
   }
   std::vector<std::vector<Point>> outlines;
   for (std::size_t k = 0; k < tangle.lobes.size(); ++k) outlines.push_back(lobe_outline(tangle, k));
   Rectangle window = area_box(outlines);
-  if (tangle.boundary) window = include(window, boundary_outline(tangle));
+  if (tangle.boundary) window = box_about(include({}, boundary_outline(tangle)), window);
   if (window.empty()) window = include(include({}, tangle.u().points), tangle.s().points);
   figure.window = with_margin(window);
   if (tangle.boundary) add_boundary(figure, tangle, tangle.boundary->area);

@@ -17,16 +17,13 @@
 namespace lober::cli {
 namespace {
 
-std::string fixed_text(const SystemInfo& system, const std::string& varied) {
+System fixed_system(const SystemInfo& system, const std::string& varied) {
   System fixed;
   fixed.info.name = system.name;
   for (const Parameter& parameter : system.parameters) {
     if (parameter.name != varied) fixed.info.parameters.push_back(parameter);
   }
-  return system_text(fixed);
-}
-std::string fixed_text(const SweepReport& report) {
-  return fixed_text(report.system, report.result().parameter);
+  return fixed;
 }
 
 Table table_of(const operations::SystemSweep& sweep) {
@@ -97,7 +94,7 @@ std::string bip_text(const SweepReport& report) {
 }  // namespace
 
 std::string sweep_head(const SystemInfo& system, const operations::SystemSweep& sweep) {
-  return fixed_text(system, sweep.parameter) + "\n\n" + table_of(sweep).head();
+  return system_text(fixed_system(system, sweep.parameter)) + "\n\n" + table_of(sweep).head();
 }
 
 std::string sweep_row(const operations::SystemSweep& sweep, std::size_t k) {
@@ -147,14 +144,15 @@ std::string sweep_summary(const SweepReport& report) {
 
 Figure sweep_figure(const SweepReport& report) {
   constexpr double gap = std::numeric_limits<double>::quiet_NaN();
-  Figure figure{.what = "Areas of the turnstile over " + report.result().parameter, .title = fixed_text(report)};
+  Figure figure{.what = "Areas of the turnstile over " + report.result().parameter,
+                .title = system_title(fixed_system(report.system, report.result().parameter).info)};
   figure.plane = false;
   figure.zero_line = true;
   figure.x = {report.result().parameter};
   figure.y = {"area"};
   std::vector<Point> difference, lobes, estimate;
   Layer flux = dot_layer("a21(1)", "flux a21(1)", {}, 1.5);
-  flux.colour = palette::leaving;
+  flux.colour = palette::flux;
   Rectangle box;
   for (std::size_t k = 0; k < report.result().rows.size(); ++k) {
     const SweepRow& row = report.result().rows[k];

@@ -31,7 +31,7 @@ struct TransportRequest {
   std::vector<operations::OptionSetting> settings;
   std::string sweep, json, html, fluxes;
   PictureRequest picture;
-  bool find_zero = false;
+  bool find_zero = false, normalised = false;
   int threads = 0;
 };
 
@@ -121,7 +121,8 @@ void run_one(const TransportRequest& request) {
     for (const std::string& remark : report.outcome.remarks) log_info(remark);
     progress.phase("writing", 0.9, 1);
     const detail::Stopwatch write_watch;
-    if (!request.fluxes.empty()) write_figure(request.fluxes, fluxes_figure(report), style_of_fluxes(request));
+    if (!request.fluxes.empty())
+      write_figure(request.fluxes, fluxes_figure(report, request.normalised), style_of_fluxes(request));
     if (request.picture.asked()) write_figure(request.picture, turnstile_figure(report, request.picture));
     if (!request.html.empty()) write_page(request.html, report);
     report.timing.write = write_watch.seconds();
@@ -226,8 +227,13 @@ void run_transport(const std::vector<std::string>& arguments) {
                       "the manifolds, the boundary, the turnstile and its images, or with --sweep the areas over the "
                       "parameter,",
                       "fixed points and lobes", "--picture");
-  add_further_picture(parser, "--fluxes,--svg", request.fluxes,
-                      "a(n) and T(n) over n, or with --sweep the areas over the parameter,");
+  const Option fluxes = add_further_picture(parser, "--fluxes,--svg", request.fluxes,
+                                            "a(n) and T(n) over n, or with --sweep the areas over the parameter,");
+  parser
+      .add_flag("--normalise", request.normalised,
+                "Draw a(n) and T(n) as multiples of a(1), the area that crosses in the first step.")
+      .needs(fluxes)
+      .excludes(sweep_option);
   add_html_option(parser, request.html).excludes(sweep_option);
   add_table_option(parser);
   add_threads_option(parser, request.threads);

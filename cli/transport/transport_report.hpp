@@ -59,9 +59,10 @@ struct CurvesTransportReport {
 /// Areas by Melnikov's function, beside the exact ones.
 [[nodiscard]] std::string melnikov_text(const operations::MelnikovComparison& report);
 
-/// a(n) and T(n) over n, with error bars, by all routes.
-[[nodiscard]] Figure fluxes_figure(const TransportReport& report);
-/// Manifolds, boundary, turnstile, its images and pre-images and their common parts. Borrows the manifolds.
+/// a(n) and T(n) over n, with error bars, by all routes; `normalised`: divided by a(1).
+[[nodiscard]] Figure fluxes_figure(const TransportReport& report, bool normalised);
+/// Manifolds, boundary, turnstile, its images and pre-images and their common parts; of further boundaries the
+/// turnstile alone. Borrows the manifolds.
 [[nodiscard]] Figure turnstile_figure(const TransportReport& report, const PictureRequest& how);
 /// The window of a plot of values over a variable: with a margin, but not below 0 where all are positive.
 [[nodiscard]] Rectangle widened_plot(const Rectangle& box);

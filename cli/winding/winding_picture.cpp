@@ -59,7 +59,7 @@ Figure winding_figure(const WindingReport& report) {
     listed.resize(max_legend_entries);
   }
   Figure figure{.what = "Winding numbers of a curve", .title = short_name(spec_of(report.input))};
-  name_axes(figure, report.input.remark);
+  name_axes(figure, report.input);
   figure.window = report.grid->window;
   for (const Count& entry : entries) {
     const bool in_legend =

@@ -199,6 +199,7 @@ NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& o
                      " and is followed across it";
   }
   result.curve.latitude_first = latitude_first(file);
+  result.header = std::move(file.header);
   validate(result.curve, spec);
   return result;
 }

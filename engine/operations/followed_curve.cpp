@@ -67,6 +67,7 @@ FollowedCurve followed_boundary(const System& system, double tolerance, const Co
     const auto tangle = grow_tangle(*system.map, connection, options);
     found.what += (found.what.empty() ? "" : " and ") + std::string("boundary with the bip ") +
                   in_words(tangle->tangle.pips[tangle->bip].at);
+    found.bips.push_back(tangle->tangle.pips[tangle->bip].at);
     (given.own.empty() ? given.own : given.second) = boundary_curve(*tangle);
   }
   given.points = given.own;

@@ -99,6 +99,27 @@ TEST_F(EscapeProgram, WritesTubesAsSurfaces) {
   EXPECT_LT(farthest, 1.3);
   ASSERT_EQ(run({"escape", "capsize", "--energy", "0.28", "--crossings", "0", "--tubes", "tubes.svg"}).status, 0);
   EXPECT_NE(read("tubes.svg").find("stable tubes: what leaves"), std::string::npos);
+  // Trajectories inside the stable tube leave, those outside come back.
+  const std::vector<std::string> tubes{"escape",  "capsize",     "--energy",   "0.28",        "--saddle",
+                                       "2",       "--crossings", "0",          "--direction", "+",
+                                       "--tubes", "one.svg",     "--tubes-of", "stable"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), tubes.begin(), tubes.end());
+    return run(more);
+  };
+  ASSERT_EQ(with({"--trajectory=-0.1,0.28"}).status, 0);
+  std::string one = read("one.svg");
+  EXPECT_NE(one.find("trajectory that leaves"), std::string::npos);
+  EXPECT_EQ(one.find("comes back"), std::string::npos);
+  EXPECT_EQ(one.find("unstable tubes"), std::string::npos);
+  ASSERT_EQ(with({"--trajectory=0.2,0.4"}).status, 0);
+  one = read("one.svg");
+  EXPECT_NE(one.find("trajectory that comes back"), std::string::npos);
+  EXPECT_EQ(one.find("trajectory that leaves"), std::string::npos);
+  const Outcome outside = with({"--trajectory=0.2,4"});
+  EXPECT_EQ(outside.status, 1);
+  EXPECT_NE(outside.err.find("no point of energy 0.28"), std::string::npos) << outside.err;
+  EXPECT_EQ(run({"escape", "capsize", "--crossings", "0", "--tubes", "t.vtk", "--trajectory=-0.1,0.28"}).status, 2);
   const Outcome refused = run({"escape", "capsize", "--tubes", "tubes.dat"});
   EXPECT_EQ(refused.status, 2);
   EXPECT_NE(refused.err.find("use one of these endings"), std::string::npos) << refused.err;

@@ -2,7 +2,10 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <span>
+#include <sstream>
 
+#include "lober/dynamics/systems.hpp"
 #include "tests/cli/program.hpp"
 
 namespace lober::cli {
@@ -171,6 +174,28 @@ TEST_F(ImageProgram, WritesASingleImageInAnyFormat) {
   const Outcome two = run({"image", "standard", "--circle", "2,0.5,0.01", "--iterates", "1:2", "-o", "two.npy"});
   EXPECT_EQ(two.status, 2);
   EXPECT_NE(two.err.find("several curves need a format that holds several"), std::string::npos) << two.err;
+}
+
+// The bip q of the vortex pair, and f^-1(q), which the map takes to it.
+TEST_F(ImageProgram, MarksTheBipOfABoundaryAndItsImages) {
+  const Outcome outcome = run({"image", "ovp", "--boundary", "--tolerance", "1e-3", "--iterates", "-1:0", "--picture",
+                               "b.svg", "--data", "b.csv"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(read("b.svg").find("bip q and its images"), std::string::npos);
+  std::vector<Point> bips;
+  std::istringstream lines(read("b.csv"));
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("bips,")) continue;
+    const std::size_t x = line.find(",,") + 2, y = line.find(',', x) + 1;
+    bips.push_back({std::stod(line.substr(x)), std::stod(line.substr(y))});
+  }
+  ASSERT_EQ(bips.size(), 2U);
+  const System ovp = make_system("ovp");
+  ovp.map->iterate(std::span<Point>(bips.data(), 1), 1);
+  EXPECT_NEAR(bips[0].x, bips[1].x, 1e-9);
+  EXPECT_NEAR(bips[0].y, bips[1].y, 1e-9);
+  EXPECT_NEAR(bips[1].x, 0, 1e-9);
+  EXPECT_NEAR(bips[1].y, 2.068482945180626534, 1e-9);
 }
 
 }  // namespace

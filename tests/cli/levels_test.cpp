@@ -1,5 +1,7 @@
 // `lober levels`: streamlines, potential, Hill's region; and the pictures with labels and windows.
+#include <algorithm>
 #include <set>
+#include <sstream>
 
 #include "tests/cli/program.hpp"
 #include "tests/paths.hpp"
@@ -90,6 +92,32 @@ TEST_F(LevelsProgram, PicturesTakeLabelsAndWindows) {
   EXPECT_EQ(wrong.status, 2);
   EXPECT_NE(wrong.err.find("--window"), std::string::npos) << wrong.err;
   EXPECT_EQ(run({"tangle", "--system", "ovp", "--labels"}).status, 2);
+}
+
+// Between two points of rest on the zero-velocity curve, through the neighbourhood of the saddle.
+TEST_F(LevelsProgram, DrawsPeriodicOrbits) {
+  const std::vector<std::string> levels{"levels", "capsize", "--box=-1.8,-0.8,1.8,1.4", "--periodic-orbits"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), levels.begin(), levels.end());
+    return run(more);
+  };
+  ASSERT_EQ(with({"--energy", "0.25307", "--data", "o.csv", "--picture", "o.svg"}).status, 0);
+  std::istringstream lines(read("o.csv"));
+  double farthest = 0;
+  std::size_t points = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("periodic orbits,1,")) continue;
+    ++points;
+    farthest = std::max(farthest, std::stod(line.substr(line.find(",,") + 2)));
+  }
+  EXPECT_EQ(points, 256U);
+  // The farthest of points at equal times, next to the point of rest.
+  EXPECT_NEAR(farthest, 1.0203846889635231911, 2e-6);
+  EXPECT_NE(read("o.svg").find("periodic orbits"), std::string::npos);
+  const Outcome below = with({"--energy", "0.2", "--picture", "o.svg"});
+  EXPECT_EQ(below.status, 0);
+  EXPECT_NE(below.err.find("not above that of a saddle"), std::string::npos) << below.err;
+  EXPECT_EQ(with({"--picture", "o.svg"}).status, 2);  // needs an energy
 }
 
 }  // namespace

@@ -1,11 +1,13 @@
 // The options of pictures, and pictures of extreme windows.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <string>
 
 #include "cli/picture/conversion.hpp"
 #include "cli/picture/figure_svg.hpp"
+#include "cli/picture/panels.hpp"
 #include "cli/picture/ticks.hpp"
 #include "tests/cli/program.hpp"
 
@@ -59,7 +61,93 @@ TEST(FigureSvg, HasSmallCoordinatesInAnyWindow) {
   }
 }
 
+TEST(FigureSvg, SaysPowersOfTenAndCategories) {
+  Figure figure;
+  figure.plane = false;
+  figure.x.exponents = true;
+  figure.y.categories = {"first", "second", "third"};
+  figure.window = {-3, -0.5, 0, 1.5};
+  const std::string svg = figure_svg(figure, {});
+  EXPECT_NE(svg.find("second"), std::string::npos);
+  EXPECT_EQ(svg.find("third"), std::string::npos);  // beyond the window
+  EXPECT_NE(svg.find(">10<"), std::string::npos);   // with a superscript behind it
+}
+
+// The legend explains only parts that the window shows.
+TEST(FigureSvg, ExplainsWhatIsSeen) {
+  Figure figure;
+  figure.layers.push_back(line_layer("line", "a line", palette::ink));
+  figure.layers.back().lines.push_back({.own = {{0, 0}, {1, 1}}});
+  figure.layers.push_back(dot_layer("dots", "some dots", {{5, 5}}));
+  figure.layers.push_back(box_layer("boxes", "a box", palette::ink));
+  figure.layers.back().boxes.push_back({4, 4, 6, 6});
+  figure.layers.push_back(fill_layer("fill", "a fill", palette::ink));
+  figure.layers.back().lines.push_back({.own = {{4, 4}, {6, 4}, {6, 6}}, .closed = true});
+  figure.window = {0, 0, 6, 6};
+  FigureStyle style;
+  const auto explained = [&](const char* text) { return figure_svg(figure, style).find(text) != std::string::npos; };
+  for (const char* text : {"a line", "some dots", "a box", "a fill"}) EXPECT_TRUE(explained(text)) << text;
+  style.window = Rectangle{0, 0, 2, 2};
+  EXPECT_TRUE(explained("a line"));
+  for (const char* text : {"some dots", "a box", "a fill"}) EXPECT_FALSE(explained(text)) << text;
+  style.window = Rectangle{4.5, 4, 5.5, 6};
+  EXPECT_FALSE(explained("a line"));
+  for (const char* text : {"some dots", "a box", "a fill"}) EXPECT_TRUE(explained(text)) << text;
+}
+
+// An inset lies in the plot, hides neither its window nor, where there is room, lines.
+TEST(FigureSvg, PutsTheInsetWhereThereIsRoom) {
+  Figure figure;
+  figure.layers.push_back(line_layer("frame", "", palette::ink));
+  figure.layers.back().lines.push_back({.own = {{0, 0}, {10, 0}, {10, 10}, {0, 10}}, .closed = true});
+  figure.layers.back().lines.push_back({.own = {{1, 9}, {9, 9}, {9, 1}}});
+  figure.window = {0, 0, 10, 10};
+  FigureStyle style;
+  style.inset = Rectangle{8.5, 8.5, 9.5, 9.5};
+  const std::string svg = figure_svg(figure, style);
+  const auto number = [&](std::size_t from, const char* name) {
+    return std::strtod(svg.c_str() + svg.find(name, from) + std::string(name).size(), nullptr);
+  };
+  const std::size_t plot = svg.find("<clipPath id=\"plot\">"), inset = svg.find("<clipPath id=\"inset\">");
+  ASSERT_NE(inset, std::string::npos);
+  const double left = number(plot, "x=\""), width = number(plot, " width=\"");
+  const double right_of_inset = number(inset, "x=\"") + number(inset, " width=\"");
+  EXPECT_GT(number(inset, "x=\""), left);
+  EXPECT_LT(right_of_inset, left + 0.9 * width);  // left of the line x = 9
+}
+
+TEST(PanelsSvg, HasOneLegendAndNamesEachFrame) {
+  Figure figure;
+  figure.layers.push_back(dot_layer("dots", "the same dots", {{1, 1}}));
+  figure.window = {0, 0, 2, 2};
+  const std::array<Figure, 3> figures{figure, figure, figure};
+  const std::string svg = panels_svg("three", figures, 2, {.width = 170});
+  EXPECT_NE(svg.find("width=\"170mm\""), std::string::npos);
+  for (const char* id : {"plot0", "plot1", "plot2"}) {
+    EXPECT_NE(svg.find("<clipPath id=\"" + std::string(id) + "\""), std::string::npos);
+    EXPECT_NE(svg.find("url(#" + std::string(id) + ")"), std::string::npos);
+  }
+  const std::size_t first = svg.find("the same dots");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_EQ(svg.find("the same dots", first + 1), std::string::npos);
+}
+
 class PictureProgram : public ProgramTest {};
+
+TEST_F(PictureProgram, TakesATitle) {
+  const auto title_of = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"levels", "capsize", "--energy", "0.28", "--picture", "p.svg"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(run(arguments).status, 0);
+    return read("p.svg");
+  };
+  EXPECT_NE(title_of({}).find("energy = 0.28"), std::string::npos);
+  const std::string own = title_of({"--title", "Hill's region <e_{1}>"});
+  EXPECT_EQ(own.find("energy = 0.28"), std::string::npos);
+  EXPECT_NE(own.find("Hill's region &lt;e"), std::string::npos);
+  EXPECT_EQ(title_of({"--no-title"}).find("energy = 0.28"), std::string::npos);
+  EXPECT_EQ(run({"levels", "capsize", "--title", "none"}).status, 2);  // needs a picture
+}
 
 TEST_F(PictureProgram, WritesEachFormat) {
   const std::string curve = std::string(LOBER_SOURCE_DIR) + "/examples/six-crossings.dat";
@@ -90,6 +178,116 @@ TEST_F(PictureProgram, WritesEachFormat) {
   const std::string first = read("p.pdf");
   ASSERT_EQ(with({"--picture", "p.pdf"}).status, 0);
   EXPECT_EQ(read("p.pdf"), first);
+}
+
+TEST_F(PictureProgram, RefusesAnInsetThatIsNotInTheWindow) {
+  const std::string curve = std::string(LOBER_SOURCE_DIR) + "/examples/six-crossings.dat";
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"overlay", curve + "#C1", curve + "#C2", "--picture", "p.svg"});
+    return run(more);
+  };
+  const Outcome outside = with({"--inset", "50,50,60,60"});
+  EXPECT_EQ(outside.status, 2);
+  EXPECT_NE(outside.err.find("--inset 50,50,60,60 lies outside of the part of the plane that the picture shows, -1"),
+            std::string::npos)
+      << outside.err;
+  EXPECT_FALSE(exists("p.svg"));
+  const Outcome beyond = with({"--inset", "4,-1,9,1", "--window", "0,-2,6,2"});
+  EXPECT_EQ(beyond.status, 2);
+  EXPECT_NE(beyond.err.find("reaches beyond the part of the plane that the picture shows, 0,-2,6,2"), std::string::npos)
+      << beyond.err;
+  EXPECT_EQ(with({"--inset", "4,-1,6,1", "--window", "0,-2,6,2"}).status, 0);
+  const Outcome nothing = with({"--window", "100,100,101,101"});
+  EXPECT_EQ(nothing.status, 0);
+  EXPECT_NE(nothing.err.find("shows nothing; all is in -1"), std::string::npos) << nothing.err;
+}
+
+// The text of an axis: those of y are turned.
+bool has_text(const std::string& svg, const std::string& text) {
+  return svg.find(">" + text + "</text>") != std::string::npos;
+}
+
+TEST_F(PictureProgram, NamesAxesAsTheFileDoes) {
+  const std::string square = "0,0\n1,0\n1,1\n0,1\n";
+  write("plain.csv", square);
+  write("units.csv", "easting (km), northing [km]\n" + square);
+  write("quoted.csv", "\"depth, down\",\"<b> & time (s)\"\n" + square);
+  write("degrees.csv", "longitude,latitude\n" + square);
+  write("tecplot.dat", "VARIABLES=\"q\" \"p [kg m/s]\"\nZONE T=\"a\"\n0 0\n1 0\n1 1\n0 1\n");
+  const auto picture = [&](const std::string& file) {
+    const Outcome outcome = run({"winding", file, "--grid", "4,4", "--picture", "p.svg"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return read("p.svg");
+  };
+  const auto names = [&](const std::string& file, const std::string& x, const std::string& y) {
+    const std::string svg = picture(file);
+    EXPECT_TRUE(has_text(svg, x)) << file;
+    EXPECT_TRUE(has_text(svg, y)) << file;
+  };
+  names("plain.csv", "x", "y");
+  names("units.csv", "easting (km)", "northing (km)");
+  names("quoted.csv", "depth, down", "&lt;b&gt; &amp; time (s)");
+  names("degrees.csv", "longitude (degrees)", "latitude (degrees)");
+  names("tecplot.dat", "q", "p (kg m/s)");
+}
+
+TEST_F(PictureProgram, DrawsSystemsByNameOnly) {
+  EXPECT_EQ(run({"systems", "--picture", "p.svg"}).status, 2);
+  ASSERT_EQ(run({"systems", "henon", "--picture", "p.svg"}).status, 0);
+  const std::string svg = read("p.svg");
+  for (const char* const text :
+       {"henon: k = 0.5", "U, unstable manifolds", "1 saddle, \u03bb &gt; 0", "1 elliptic point"}) {
+    EXPECT_TRUE(has_text(svg, text)) << text;
+  }
+  // The same for any number of threads.
+  ASSERT_EQ(run({"systems", "henon", "--picture", "q.svg"}).status, 0);
+  EXPECT_EQ(read("q.svg"), svg);
+}
+
+class BatchPicture : public ProgramTest {
+ protected:
+  BatchPicture() {
+    write("job.toml",
+          "operation = \"transport\"\noptions = { system = \"henon\", iterates = 1 }\n"
+          "grid = { parameters.k = [0.8, 0.9, 1.0], tolerance = [1e-2, 1e-3] }\n");
+    EXPECT_EQ(run({"batch", "run", "job.toml"}).status, 0);
+  }
+  [[nodiscard]] Outcome picture(std::vector<std::string> more) const {
+    more.insert(more.begin(), {"batch", "picture", "job.results", "--picture", "p.svg"});
+    return run(more);
+  }
+};
+
+TEST_F(BatchPicture, DrawsAResultOverTwoOptionsOrOne) {
+  ASSERT_EQ(picture({"--data", "p.csv"}).status, 0);
+  std::string svg = read("p.svg");
+  for (const char* const text : {"henon: lobe_area12", "k", "tolerance", "0.001", "0.9"}) {
+    EXPECT_TRUE(has_text(svg, text)) << text;
+  }
+  // Each job is a box, two corners.
+  const std::string data = read("p.csv");
+  EXPECT_EQ(std::count(data.begin(), data.end(), '\n'), 1 + 2 * 6);
+  ASSERT_EQ(picture({"--where", "tolerance=0.001", "--value", "points_u"}).status, 0);
+  svg = read("p.svg");
+  EXPECT_TRUE(has_text(svg, "points_u"));
+  EXPECT_TRUE(has_text(svg, "3 jobs"));
+}
+
+TEST_F(BatchPicture, SaysWhatToChoose) {
+  const auto refused = [&](const std::vector<std::string>& more, const std::string& why) {
+    const Outcome outcome = picture(more);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
+  };
+  refused({"--x", "kk"}, "--x kk: the jobs have no such value; there are ");
+  refused({"--value", "lobe_area21_"}, "did you mean lobe_area21?");
+  refused({"--x", "k", "--y", "k"}, "several jobs have the same k = 0.8 and k = 0.8; they differ in tolerance");
+  refused({"--where", "k=7"}, "no job that is done has this value");
+  refused({"--where", "k"}, "NAME=VALUE");
+  refused({"--overlaps", "0"}, "the job has no overlaps of lobes");
+  refused({"--overlaps", "99"}, "no job of this number is done");
+  refused({"--operation", "overlay"}, "the store has no job of it; there are transport");
+  EXPECT_EQ(run({"batch", "picture", "job.results"}).status, 2);
 }
 
 }  // namespace

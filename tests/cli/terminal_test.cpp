@@ -147,6 +147,27 @@ TEST_F(AtATerminal, TablesAreMarkdownWhereAskedFor) {
   }
 }
 
+TEST_F(AtATerminal, OtherReportsAreMarkdownToo) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> commands{
+      {{"formats"}, "| format | endings | read | written | files |"},
+      {{"systems"}, "| system | equations, and the map |"},
+      {{"systems", "henon"}, "| parameter | value | meaning and range |"},
+      {{"densify", "a", "--max-length", "0.1", "-o", "d.npy"}, "| step | points | rounds |"},
+      {{"section", "capsize", "--exit-times", "--iterates", "2", "--picture", "p.svg"},
+       "| leave after crossing | orbits | share (%) |"},
+      {{"grow", "henon", "--unstable", "--iterates", "2"}, "- growing ended after the iterates asked for"}};
+  for (auto [arguments, expected] : commands) {
+    arguments.insert(arguments.end(), {"--table", "md"});
+    const Outcome outcome = run(arguments);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find(expected), std::string::npos) << outcome.out;
+    std::istringstream stream(outcome.out);
+    for (std::string line; std::getline(stream, line);) {
+      EXPECT_TRUE(line.empty() || line.starts_with("- ") || (line.starts_with("| ") && line.ends_with(" |"))) << line;
+    }
+  }
+}
+
 TEST(ProgressLine, FitsTheTerminal) {
   const ProgressState state{"reading a file whose name is longer than the terminal is wide.txt", 0.5, 0, "", 600, 0};
   EXPECT_LE(progress_line(state, 50).size(), 50U);

@@ -303,5 +303,27 @@ TEST_F(TransportCommand, TangleOfASystem) {
   for (const char* file : {"g.json", "l.dat", "b.dat", "p.dat", "t.svg"}) EXPECT_TRUE(exists(file)) << file;
 }
 
+TEST_F(TransportCommand, DrawsMultiplesOfTheFirstFlux) {
+  const Outcome outcome =
+      run({"transport", "henon", "--param", "k=0.5", "--iterates", "2", "--fluxes", "f.svg", "--normalise"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(read("f.svg").find("area / a(1)"), std::string::npos);
+  EXPECT_EQ(run({"transport", "henon", "--normalise"}).status, 2);  // needs --fluxes
+}
+
+// The regions of both vortices, with the turnstiles of both boundaries.
+TEST_F(TransportCommand, DrawsAllRegions) {
+  const Outcome outcome = run({"transport", "ovp", "--all-regions", "--iterates", "1", "--tolerance", "1e-3",
+                               "--picture", "r.svg", "--data", "r.csv"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::string svg = read("r.svg"), data = read("r.csv");
+  for (const char* name : {"L12(1), leaves", "L21(1), enters", "L32(1), leaves", "L23(1), enters"}) {
+    EXPECT_NE(svg.find(name), std::string::npos) << name;
+  }
+  std::size_t bips = 0;
+  for (std::size_t at = data.find("\nbip,"); at != std::string::npos; at = data.find("\nbip,", at + 1)) ++bips;
+  EXPECT_EQ(bips, 2U);
+}
+
 }  // namespace
 }  // namespace lober::cli

@@ -1,24 +1,33 @@
 #include "engine/batch/export/export.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
 
 #include "engine/batch/export/export_formats.hpp"
 #include "engine/batch/manifest/swept_options.hpp"
+#include "lober/base/cancellation.hpp"
 
 namespace lober {
 using namespace detail;
 namespace {
 
-// Goes through the jobs of the plan that are wanted and calls found(result) for each that has one.
+constexpr std::uint32_t jobs_between_reports = 64;
+
+// Goes through the jobs of the plan that are wanted and calls found(result) for each that has one. Throws Cancelled.
 template <typename Wanted, typename Found>
-ExportCounts for_each_result(const Store& store, const Plan& plan, const Wanted& wanted, const Found& found) {
+ExportCounts for_each_result(const Store& store, const Plan& plan, const Wanted& wanted, const Found& found,
+                             const Progress& progress) {
   ExportCounts counts;
   const InputDigests inputs = store.digests();
   const std::vector<const std::string*> digests = digests_by_curve(plan, inputs);
   const JobKeys keys(plan);
   for (std::uint32_t number = 0; number < plan.jobs.size(); ++number) {
+    if (number % jobs_between_reports == 0 &&
+        !progress(static_cast<double>(number) / static_cast<double>(plan.jobs.size()))) {
+      throw Cancelled();
+    }
     const Job& job = plan.jobs[number];
     if (!wanted(plan.group_of(job))) continue;
     const std::optional<JobKey> key = keys.find(job, digests);
@@ -102,12 +111,16 @@ ExportFormat export_format(const std::string& path) {
 }
 
 ExportCounts detail::export_results(const Store& store, const std::string& path, ExportFormat format,
-                                    const std::optional<std::string>& operation) {
+                                    const std::optional<std::string>& operation, const Progress& progress) {
   const Plan plan = plan_of(store);
   ExportCounts counts;
+  // Tables of fixed columns go through the results twice, first for the widths of texts and which columns there are.
+  const double passes = format == ExportFormat::json_lines || format == ExportFormat::csv ? 1 : 2;
+  double pass = 0;
   const auto wanted = [&](const JobGroup& group) { return !operation || group.operation->name == *operation; };
   const EachResult results = [&](const std::function<void(const Result&)>& take) {
-    counts = for_each_result(store, plan, wanted, take);
+    counts = for_each_result(store, plan, wanted, take, [&](double part) { return progress((pass + part) / passes); });
+    pass = std::min(pass + 1, passes - 1);
   };
   require_no_curve(path, store, plan);
   OutputFile file(path);
@@ -126,7 +139,7 @@ ExportCounts detail::export_results(const Store& store, const std::string& path,
   return counts;
 }
 
-StoreSurvey detail::survey(const Store& store) {
+StoreSurvey detail::survey(const Store& store, const Progress& progress) {
   const Plan plan = plan_of(store);
   StoreSurvey all;
   std::map<std::string, std::size_t> known;  // failures, by message
@@ -139,12 +152,13 @@ StoreSurvey detail::survey(const Store& store) {
     return inputs_of(plan, job, at->second);
   };
   const auto any = [](const JobGroup&) { return true; };
-  all.counts = for_each_result(store, plan, any, [&](const Result& result) {
+  const auto note = [&](const Result& result) {
     if (!result.failed()) return;
     const auto [at, is_new] = known.try_emplace(result.error, all.failures.size());
     if (is_new) all.failures.push_back({result.error, first_of(result)});
     ++all.failures[at->second].jobs;
-  });
+  };
+  all.counts = for_each_result(store, plan, any, note, progress);
   return all;
 }
 

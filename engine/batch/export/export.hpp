@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/batch/store/store.hpp"
+#include "lober/base/progress.hpp"
 #include "lober/batch.hpp"
 
 namespace lober::detail {
@@ -14,11 +15,11 @@ namespace lober::detail {
 /// Writes the jobs of the store's plan that have a result or have failed, in the order of the plan, numbers in the
 /// shortest form that reads back to the same bits. A damaged result is left out, as one that is not there. CSV and NPY
 /// hold one operation, which has to be named when the plan has several. The file appears when it is complete; "-" is
-/// standard output. Throws DataError, UsageError.
+/// standard output. Throws DataError, UsageError, Cancelled.
 ExportCounts export_results(const Store& store, const std::string& path, ExportFormat format,
-                            const std::optional<std::string>& operation = {});
+                            const std::optional<std::string>& operation = {}, const Progress& progress = {});
 
-/// The progress of the plan of a store. Reads and verifies all results.
+/// How far the plan of a store is. Reads and verifies all results.
 struct StoreSurvey {
   ExportCounts counts;
   /// Jobs of the plan that failed with the same message.
@@ -29,7 +30,7 @@ struct StoreSurvey {
   };
   std::vector<Failure> failures;  ///< in the order of the plan
 };
-[[nodiscard]] StoreSurvey survey(const Store& store);
+[[nodiscard]] StoreSurvey survey(const Store& store, const Progress& progress = {});
 
 /// "STORE: the result of job N (FIRST SECOND) is damaged and counts as missing".
 [[nodiscard]] std::string damage_line(const Store& store, const Plan& plan, std::size_t job);

@@ -8,6 +8,7 @@
 #include "engine/base/quantities.hpp"
 #include "engine/batch/store/checksum.hpp"
 #include "engine/batch/store/store_schema.hpp"
+#include "lober/base/cancellation.hpp"
 
 namespace lober::detail {
 namespace {
@@ -312,15 +313,25 @@ std::vector<Store::Run> Store::runs() const {
   return all;
 }
 
-void Store::merge(std::span<const Store> others) {
+void Store::merge(std::span<const Store> others, const Progress& progress) {
+  std::size_t all = 0, before = 0;
+  for (const Store& other : others) all += other.stored().size();
   require_whole();
   Transaction transaction(*database_);
   refresh();
-  for (const Store& other : others) take_over(other);
+  for (const Store& other : others) {
+    const std::size_t own = other.stored().size();
+    take_over(other, [&](double part) {
+      return progress((static_cast<double>(before) + part * static_cast<double>(own)) /
+                      static_cast<double>(std::max<std::size_t>(all, 1)));
+    });
+    before += own;
+  }
   transaction.commit();
 }
 
-void Store::take_over(const Store& other) {
+void Store::take_over(const Store& other, const Progress& progress) {
+  constexpr std::size_t results_between_reports = 64;
   const std::optional<Plan> planned = plan();
   std::optional<Plan> theirs = other.plan();
   if (!theirs) throw DataError(other.path_ + ": holds no plan yet");
@@ -347,7 +358,13 @@ void Store::take_over(const Store& other) {
     if (same == present.end()) put_run(run);
     renumbered[run.id] = same == present.end() ? sqlite3_last_insert_rowid(database_->handle()) : same->id;
   }
+  std::size_t number = 0;
   for (const auto& [key, known] : other.stored()) {
+    if (number % results_between_reports == 0 &&
+        !progress(static_cast<double>(number) / static_cast<double>(other.stored().size()))) {
+      throw Cancelled();
+    }
+    ++number;
     std::optional<Result> result = other.result(known);
     if (!result) continue;
     if (const Known* const mine = known_.find(key); mine != nullptr && !this->result(*mine)) discard(key);

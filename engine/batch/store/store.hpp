@@ -42,6 +42,7 @@
 #include "engine/batch/store/key_map.hpp"
 #include "engine/batch/store/result_table.hpp"
 #include "engine/batch/store/store_file.hpp"
+#include "lober/base/progress.hpp"
 
 namespace lober::detail {
 
@@ -107,8 +108,8 @@ class Store {
   [[nodiscard]] std::vector<Run> runs() const;
 
   /// Takes over what other stores have. Throws DataError when the plans differ or the same input was read with
-  /// different contents. One transaction: all of it, or nothing.
-  void merge(std::span<const Store> others);
+  /// different contents, Cancelled. One transaction: all of it, or nothing.
+  void merge(std::span<const Store> others, const Progress& progress = {});
 
  private:
   Store(const std::string& path, bool create);
@@ -121,7 +122,7 @@ class Store {
   void put_run(const Run& run);
   [[nodiscard]] std::uint32_t table_of(const Plan& plan, std::uint32_t job) const;
   void put(std::uint32_t table, const Result& result, bool shown);
-  void take_over(const Store& other);
+  void take_over(const Store& other, const Progress& progress);
   void put_repeat(std::uint32_t job, const Known& known);
   void label_rows(const InputDigests& inputs);
 

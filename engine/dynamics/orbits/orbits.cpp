@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/base/stopwatch.hpp"
 #include "lober/base/error.hpp"
 
 namespace lober {
@@ -13,6 +14,7 @@ namespace {
 
 constexpr std::size_t orbits_together = 16;  // orbits that are followed together: the lanes of the integrator, twice
 constexpr std::size_t block_points = std::size_t{1} << 22;
+constexpr double short_block = 0.1;  // seconds
 
 }  // namespace
 
@@ -50,11 +52,15 @@ Point folded(Point point, Point lattice, Point second_lattice, Point origin) {
 void follow_orbits(const PlanarMap& map, std::span<const Point> starts, const OrbitOptions& options,
                    const std::function<bool(std::size_t first, std::span<const Point> points)>& take) {
   const std::size_t each = options.iterates + 1, together = std::max(orbits_together, map.batch());
-  const std::size_t at_once = std::clamp<std::size_t>(block_points / each, together, std::max(together, starts.size()));
+  // Blocks are as long as the caller wants to wait for the next one, and as memory allows. Results do not depend on
+  // that.
+  const std::size_t max_groups = std::max<std::size_t>(block_points / each / together, 1);
+  std::size_t groups = std::min(max_groups, 2 * static_cast<std::size_t>(std::max(concurrency(), 1)));
   const auto fold = [&](Point point) { return folded(point, options.lattice, options.second_lattice, options.origin); };
   Buffer<Point> points;
-  for (std::size_t first = 0; first < starts.size(); first += at_once) {
-    const std::size_t count = std::min(at_once, starts.size() - first);
+  for (std::size_t first = 0, count = 0; first < starts.size(); first += count) {
+    const Stopwatch watch;
+    count = std::min(groups * together, starts.size() - first);
     points.resize(count * each);
     for_each_block(count, together, [&](std::size_t begin, std::size_t end) {
       const std::size_t size = end - begin;
@@ -69,6 +75,7 @@ void follow_orbits(const PlanarMap& map, std::span<const Point> starts, const Or
         if (n % 1024 == 1023) throw_if_cancelled();
       }
     });
+    if (watch.seconds() < short_block) groups = std::min(2 * groups, max_groups);
     if (!take(first, points)) throw Cancelled();
   }
 }

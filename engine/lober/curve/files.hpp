@@ -99,6 +99,7 @@ struct NamedCurve {
   std::string group;      ///< its title, where titles and not positions name the zones (CurveFile::titled_by_group)
   /// Says how a curve was closed, or that it consists of longitudes and latitudes; nearly always empty.
   std::string remark;
+  std::string header{};  ///< names of the columns, as in CurveFile
 };
 
 /// Reads one curve and validates it. Throws DataError as `read_curve_file` and `validate` do, and when the

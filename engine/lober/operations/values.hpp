@@ -112,6 +112,7 @@ struct CurveImages {
   };
   std::string what{};           ///< "circle of radius 0.1 about (1, 0)"; empty where a curve was given
   bool closed = true;           ///< whether the curve is closed
+  std::vector<Point> bips{};    ///< where the curve is a boundary: its bip; of a strip, those of both
   std::vector<One> images{};    ///< in the order of iterates; of two curves, those of the first one come first
   Rectangle box{};              ///< the box in which the tolerance holds
   bool preserves_area = false;  ///< the map has an action
