@@ -34,9 +34,8 @@ export function fillLayers(scene, changed) {
 
 export function fillAbout(scene) {
   const notes = [...scene.notes, `${scene.points.toLocaleString("en")} points, of curves and of corners between them.`];
-  const rounds = scene.layers.some((layer) => (layer.curves ?? []).some((one) => !one.exact));
-  notes.push(rounds
-    ? "Points near crossings are exact; others are rounded to 2^-50 of the size of their curve."
+  notes.push(scene.rounded
+    ? "Points near crossings and of short curves are exact; exact ones of all curves would take more than 12 MB, so others are rounded to 2^-50 of the size of their curve."
     : "All points are exact, to the last bit.");
   byId("notes").replaceChildren(...notes.map((note) => element("li", {}, note)));
 }

@@ -8,22 +8,20 @@ export async function loadScene() {
   const scene = JSON.parse(byId("scene").textContent);
   const read = (number) => bytesOf(byId(`s${number}`).textContent, scene.deflated);
 
-  async function numbers({ n, at }) {
-    const values = new Float64Array(n);
-    for (let part = 0; part * PART < n; ++part) {
-      decodeSeries(await read(at + part), Math.min(PART, n - part * PART), values, part * PART);
-    }
-    return values;
-  }
-  async function points({ n, at }, closed) {
-    const size = n + (closed && n > 0 ? 1 : 0);
-    const xy = [new Float64Array(size), new Float64Array(size)];
-    const parts = Math.ceil(n / PART);
-    await Promise.all(Array.from({ length: 2 * parts }, async (_, k) => {
-      const begin = (k >> 1) * PART;
-      decodeSeries(await read(at + k), Math.min(PART, n - begin), xy[k & 1], begin);
+  // All parts of a series, into arrays.
+  async function decoded({ n, at }, axes) {
+    await Promise.all(Array.from({ length: Math.ceil(n / PART) }, async (_, part) => {
+      decodeSeries(await read(at + part), Math.min(PART, n - part * PART), axes, part * PART);
     }));
-    for (const values of xy) if (size > n) values[n] = values[0];
+    return axes;
+  }
+  async function numbers(series) {
+    return (await decoded(series, [new Float64Array(series.n)]))[0];
+  }
+  async function points(series, closed) {
+    const size = series.n + (closed && series.n > 0 ? 1 : 0);
+    const xy = await decoded(series, [new Float64Array(size), new Float64Array(size)]);
+    if (size > series.n) for (const values of xy) values[series.n] = values[0];
     return xy;
   }
 
