@@ -145,6 +145,77 @@ def zooms_into_a_pip(browser, folder):
     assert not browser.run("document.getElementById('end').hidden")
 
 
+# Both pictures, pixel by pixel: the plot of the program's own, drawn over a canvas of the page's size, and the page's.
+# Gives, of each colour, its pixels in page and picture, and those of either with none of the other nearby. Marks cover
+# what is about some points.
+COMPARED = """(async ([file, left, top, wide, high], covered, colours) => {
+  const image = new Image();
+  await new Promise((done, failed) => { image.onload = done; image.onerror = failed; image.src = file; });
+  const { width, height } = lober.canvas, other = new OffscreenCanvas(width, height).getContext("2d");
+  const [w, h] = [image.width, image.height];
+  other.drawImage(image, left * w, top * h, wide * w, high * h, 0, 0, width, height);
+  const data = [lober.context, other].map((context) => context.getImageData(0, 0, width, height).data);
+  const near = (data, [red, green, blue]) => {
+    const marks = new Uint8Array(width * height);
+    for (let k = 0; k < marks.length; ++k) {
+      marks[k] = Math.abs(data[4 * k] - red) + Math.abs(data[4 * k + 1] - green) + Math.abs(data[4 * k + 2] - blue) < 90;
+    }
+    return marks;
+  };
+  const alone = (marks, others) => {
+    let all = 0, found = 0;
+    for (let y = 12; y < height - 12; ++y) for (let x = 12; x < width - 12; ++x) {
+      if (!marks[y * width + x] || covered.some(([px, py]) => Math.hypot(px - x, py - y) < 24)) continue;
+      ++all;
+      let near = false;
+      for (let j = -3; j <= 3; ++j) for (let i = -3; i <= 3; ++i) near ||= others[(y + j) * width + x + i] === 1;
+      found += near ? 0 : 1;
+    }
+    return [all, found];
+  };
+  return colours.map((colour) => {
+    const [page, picture] = data.map((one) => near(one, colour));
+    return [...alone(page, picture), ...alone(picture, page)];
+  });
+})"""
+
+
+def agrees_with_pictures_of_the_program(browser, folder):
+    page, png, svg = (os.path.join(folder, "ovp." + ending) for ending in ("html", "png", "svg"))
+    answer = subprocess.run([PROGRAM, *OVP, "--picture", png], capture_output=True, text=True)
+    if "librsvg" in answer.stderr:
+        print("skipped, without pictures as PNG: " + answer.stderr.strip())
+        return
+    lober(*OVP, "--html", page)
+    browser.open(page)
+    x, y = browser.run("(({ dots }) => [dots.x[0], dots.y[0]])(lober.scene.layers.find((one) => one.name === 'pips'))")
+    for depth in (1, 1e4, 1e8, 1e12):
+        browser.open(page, f"#{x!r},{y!r},{depth!r},")
+        browser.run("for (const layer of lober.scene.layers) layer.width = 3;" + ONLY_LINES)
+        browser.settle()
+        browser.settle()
+        window = ",".join(repr(value) for value in browser.run("lober.view.box()"))
+        for path in (png, svg):
+            lober(*OVP, "--picture", path, f"--window={window}", "--size", "60", "--no-legend", "--no-labels")
+        with open(svg, encoding="utf-8") as file:
+            text = file.read()
+        width, height = map(float, re.search(r'viewBox="0 0 (\S+) (\S+)"', text).groups())
+        plot = re.search(r'id="plot"><rect x="(\S+)" y="(\S+)" width="(\S+)" height="(\S+)"', text).groups()
+        left, top, wide, high = (float(value) / (width, height)[k % 2] for k, value in enumerate(plot))
+        with open(png, "rb") as file:
+            data = "data:image/png;base64," + base64.b64encode(file.read()).decode()
+        # Pips, and the saddles, where curves begin.
+        marks = browser.run("lober.scene.layers.flatMap(({ kind, dots, curves }) => kind === 'dots' ? [dots] : kind === 'lines' ?"
+                            "[{ x: [curves[0].curve.x[0]], y: [curves[0].curve.y[0]] }] : [])"
+                            ".flatMap(({ x, y }) => Array.from(x, (_, k) => [lober.view.px(x[k]), lober.view.py(y[k])]))")
+        lines = [colour for colour, kind in browser.run("lober.scene.layers.map((one) => [one.colour, one.kind])") if kind == "lines"]
+        colours = [[int(colour[k:k + 2], 16) for k in (1, 3, 5)] for colour in lines]
+        found = browser.run(f"{COMPARED}({[data, left, top, wide, high]}, {marks}, {colours})")
+        print(f"  zoom {depth:g}: " + "; ".join(f"{line}: {in_page} pixels of the page, {in_picture} of the picture, {a} and {b} alone"
+                                              for line, (in_page, a, in_picture, b) in zip(lines, found)))
+        assert all(in_page > 300 and in_picture > 300 and a == b == 0 for in_page, a, in_picture, b in found), (depth, found)
+
+
 def lobes_are_read(browser, folder):
     page = os.path.join(folder, "ovp.html")
     browser.open(page)
@@ -293,7 +364,7 @@ def main():
     if path is None:
         print("skipped: no chromium is installed (apt-get install chromium)")
         return 77
-    checks = [points_are_exact, zooms_into_a_pip, lobes_are_read, keys_and_wheel, exports_measure_and_iterates,
+    checks = [points_are_exact, zooms_into_a_pip, agrees_with_pictures_of_the_program, lobes_are_read, keys_and_wheel, exports_measure_and_iterates,
               batches, millions_of_points,
               nothing_and_hostile_names]
     with tempfile.TemporaryDirectory() as folder, Browser(path) as browser:
