@@ -1,4 +1,5 @@
 // The page of a batch: its jobs in a table, and heat maps of their numbers.
+import { fillHeads, filterOf } from "./columns.js";
 import { gridOf, paintGrid, steps } from "./heat.js";
 import { byId, element, rounded } from "./text.js";
 
@@ -34,43 +35,28 @@ byId("counts").textContent = `${batch.done} done, ${batch.failed} failed, ${batc
 // ---------------------------------------------------------------------------------- the table
 
 const columns = ["job", "status", ...inputs.filter((name) => names.includes(name)), ...varied.filter((name) => !inputs.includes(name)), ...results, ...(names.includes("message") ? ["message"] : [])];
-const sort = { column: "job", down: false };
+const sort = { column: 0, down: false };
 let chosen = null;
 
 const label = (name) => name.replace(/^options\.(parameters\.)?/, "");
 const textOf = (name, value) => (typeof value === "number" ? rounded(value, 10) : value === undefined || value === null ? "" : String(inputs.includes(name) ? short(value) : value));
 
 function heads() {
-  byId("heads").replaceChildren(...columns.map((name) => {
-    const sorted = sort.column === name;
-    const button = element("button", { type: "button" }, label(name) + (sorted ? (sort.down ? " \u25be" : " \u25b4") : ""));
-    button.addEventListener("click", () => {
-      sort.down = sorted ? !sort.down : false;
-      sort.column = name;
-      heads();
-      rows();
-    });
-    return element("th", { scope: "col", "aria-sort": sorted ? (sort.down ? "descending" : "ascending") : "none" }, button);
-  }));
+  fillHeads(columns.map(label), sort, (column) => {
+    sort.down = sort.column === column && !sort.down;
+    sort.column = column;
+    heads();
+    rows();
+  });
 }
 
-// Terms such as "c1>3" compare a column; others are part of any text of the row.
 function accepted() {
-  const tests = byId("filter").value.trim().split(/\s+/).filter(Boolean).map((term) => {
-    const [, name, sign, number] = /^(.+?)(<=|>=|<|>|=)([-+.\deE]+)$/.exec(term) ?? [];
-    const column = columns.find((one) => label(one) === name);
-    if (column && !Number.isNaN(Number(number))) {
-      const n = Number(number);
-      return (job) => ({ "<": job[column] < n, "<=": job[column] <= n, ">": job[column] > n, ">=": job[column] >= n, "=": job[column] === n })[sign];
-    }
-    const lower = term.toLowerCase();
-    return (job) => columns.some((one) => typeof job[one] === "string" && job[one].toLowerCase().includes(lower));
-  });
-  return jobs.filter((job) => tests.every((test) => test(job)));
+  const contains = (job, text) => columns.some((one) => typeof job[one] === "string" && job[one].toLowerCase().includes(text));
+  return jobs.filter(filterOf(columns.map(label), (job, column) => job[columns[column]], contains));
 }
 
 function rows() {
-  const list = accepted(), { column, down } = sort, sign = down ? -1 : 1;
+  const list = accepted(), column = columns[sort.column], sign = sort.down ? -1 : 1;
   const known = (job) => job[column] !== undefined && job[column] !== null;
   list.sort((a, b) => known(b) - known(a) || sign * (a[column] < b[column] ? -1 : a[column] > b[column] ? 1 : 0));
   byId("body").replaceChildren(...list.slice(0, ROWS).map((job) => {

@@ -1,15 +1,15 @@
 // What is at a pixel: the nearest dot, the nearest line, and the areas that contain it.
 import { layerShows } from "./scene.js";
+import { apart } from "./tree.js";
 
 const REACH = 8; // pixels
 
 // The nearest point of a curve within REACH of a pixel: its number and distance, or null.
 export function nearest(curve, view, px, py, segments = true) {
   let best = REACH, point = -1;
-  const reach = () => best / view.scale;
   const u = (px - view.width / 2) / view.scale, v = (view.height / 2 - py) / view.scale;
-  curve.walk(0, curve.points - 1, (level, node, boxes) => {
-    const at = 4 * node, limit = reach();
+  curve.walk(0, curve.points - 1, (boxes, at) => {
+    const limit = best / view.scale;
     return boxes[at] - view.x - view.dx - u <= limit && boxes[at + 2] - view.x - view.dx - u >= -limit &&
       boxes[at + 1] - view.y - view.dy - v <= limit && boxes[at + 3] - view.y - view.dy - v >= -limit;
   }, (begin, end) => {
@@ -52,7 +52,7 @@ export function hits(scene, view, iterate, px, py) {
     } else if (layer.kind === "areas") {
       const box = [x - slack, y - slack, x + slack, y + slack];
       for (let k = 0; k < layer.areas.size; ++k) {
-        if (!layer.areas.meets(k, box) || !layerShows(layer, k, iterate)) continue;
+        if (apart(layer.areas.boxes, 4 * k, box) || !layerShows(layer, k, iterate)) continue;
         if (layer.areas.winding(k, view, u, v) !== 0) areas.push({ layer, index: k });
       }
     }

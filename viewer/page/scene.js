@@ -1,5 +1,5 @@
 // The scene of the page: its layers, decoded.
-import { Curve, grow } from "./tree.js";
+import { Curve, emptyBox, growByBox } from "./tree.js";
 import { Areas, Dots } from "./shapes.js";
 import { PART, bytesOf, decodeSeries } from "./series.js";
 import { byId } from "./text.js";
@@ -53,15 +53,9 @@ export async function loadScene() {
 }
 
 function boxOf(scene) {
-  const box = [Infinity, Infinity, -Infinity, -Infinity];
-  const add = (part) => {
-    grow(box, part[0], part[1]);
-    grow(box, part[2], part[3]);
-  };
+  const box = emptyBox();
   for (const layer of scene.layers) {
-    for (const one of layer.curves ?? []) add(one.curve.box());
-    if (layer.areas) for (let k = 0; k < layer.areas.size; ++k) add(layer.areas.box(k));
-    if (layer.dots) for (let k = 0; k < layer.dots.points; ++k) add(layer.dots.box(k));
+    for (let k = 0; k < sizeOf(layer); ++k) growByBox(box, boxOfThing(layer, k));
   }
   return box;
 }

@@ -1,5 +1,5 @@
 // Areas, whose boundaries are runs of points of curves, and dots.
-import { Curve, grow } from "./tree.js";
+import { Curve, apart, emptyBox, growByBox, smaller } from "./tree.js";
 
 // Areas of a layer: area k has the rings ringBegin[k] to ringBegin[k + 1], ring r the runs runBegin[r] to runBegin[r + 1],
 // and a run goes from point first to point last of a curve, up or down.
@@ -17,23 +17,15 @@ export class Areas {
   }
 
   boxOf(area) {
-    const box = [Infinity, Infinity, -Infinity, -Infinity];
+    const box = emptyBox();
     for (let run = this.runBegin[this.ringBegin[area]]; run < this.runBegin[this.ringBegin[area + 1]]; ++run) {
       const first = this.first[run], last = this.last[run];
-      const part = this.curves[this.curve[run]].box(Math.min(first, last), Math.max(first, last));
-      grow(box, part[0], part[1]);
-      grow(box, part[2], part[3]);
+      growByBox(box, this.curves[this.curve[run]].box(Math.min(first, last), Math.max(first, last)));
     }
     return box;
   }
   box(area) {
     return this.boxes.subarray(4 * area, 4 * area + 4);
-  }
-
-  // Whether the box of an area meets another one.
-  meets(area, box) {
-    const at = 4 * area, boxes = this.boxes;
-    return boxes[at] <= box[2] && boxes[at + 2] >= box[0] && boxes[at + 1] <= box[3] && boxes[at + 3] >= box[1];
   }
 
   // Draws the rings of an area. Runs outside of the frame and those smaller than a step are drawn as their chords: the
@@ -49,12 +41,9 @@ export class Areas {
     const first = Math.min(this.first[run], this.last[run]), last = Math.max(this.first[run], this.last[run]);
     const points = [];
     const small = pen.step / view.scale;
-    curve.walk(first, last, (level, node, boxes) => {
-      const at = 4 * node;
-      const skipped = boxes[at] > frame[2] || boxes[at + 2] < frame[0] || boxes[at + 1] > frame[3] ||
-        boxes[at + 3] < frame[1] || (boxes[at + 2] - boxes[at] < small && boxes[at + 3] - boxes[at + 1] < small);
-      if (!skipped) return true;
-      points.push(Math.max(first, curve.begin(level, node)), Math.min(last, curve.end(level, node)));
+    curve.walk(first, last, (boxes, at, from, to) => {
+      if (!apart(boxes, at, frame) && !smaller(boxes, at, small)) return true;
+      points.push(from, to);
       return false;
     }, (begin, end) => {
       for (let k = begin; k <= end; ++k) points.push(k);
@@ -83,14 +72,12 @@ export class Areas {
     const down = this.first[run] > this.last[run];
     const first = down ? this.last[run] : this.first[run], last = down ? this.first[run] : this.last[run];
     let winding = 0;
-    curve.walk(first, last, (level, node, boxes) => {
-      const at = 4 * node;
+    curve.walk(first, last, (boxes, at, from, to) => {
       const left = boxes[at] - view.x - view.dx - offsetX, right = boxes[at + 2] - view.x - view.dx - offsetX;
       const low = boxes[at + 1] - view.y - view.dy - offsetY, high = boxes[at + 3] - view.y - view.dy - offsetY;
       if (low > 0 || high <= 0 || right < 0) return false;
       if (left <= 0) return true;
-      const a = position(curve, Math.max(first, curve.begin(level, node)), view, offsetX, offsetY);
-      const b = position(curve, Math.min(last, curve.end(level, node)), view, offsetX, offsetY);
+      const a = position(curve, from, view, offsetX, offsetY), b = position(curve, to, view, offsetX, offsetY);
       winding += (a[1] <= 0) === (b[1] <= 0) ? 0 : a[1] <= 0 ? 1 : -1;
       return false;
     }, (begin, end) => {
