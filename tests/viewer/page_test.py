@@ -359,6 +359,52 @@ def nothing_and_hostile_names(browser, folder):
     assert browser.run("lober.view.box().every(Number.isFinite)")
 
 
+def any_size(browser, folder):
+    """Curves as large and as small as doubles, far away, and of one point, are seen."""
+    page = os.path.join(folder, "size.html")
+    circle = [(math.cos(k / 50), math.sin(k / 50)) for k in range(320)]
+    curves = {
+        "huge": [(1e300 * x, 1e300 * y) for x, y in circle], "tiny": [(1e-300 * x, 1e-300 * y) for x, y in circle],
+        "denormal": [(1e-315 * x, 1e-315 * y) for x, y in circle], "flat": [(1e300 * x, 1e-300 * y) for x, y in circle],
+        "far": [(1e15 + 100 * x, 100 * y - 1e15) for x, y in circle], "one point": [(3, 4)], "equal points": [(3, 4)] * 50,
+    }
+    for name, points in curves.items():
+        source = os.path.join(folder, "size.npy")
+        write_npy(source, points)
+        lober("view", source, "-o", page)
+        browser.open(page)
+        browser.settle()
+        red = browser.run("(() => { const c = lober.canvas, d = lober.context.getImageData(0, 0, c.width, c.height).data;"
+                          "let n = 0; for (let k = 0; k < d.length; k += 4) n += d[k] > d[k + 2] + 60; return n; })()")
+        assert red >= (2 if len(set(points)) == 1 or name == "denormal" else 300), (name, red)
+        labels = browser.run("(async () => new DOMParser().parseFromString(lober.svg(), 'text/xml'))().then((svg) =>"
+                             "[...svg.querySelectorAll('text')].map((one) => one.textContent))")
+        assert labels and all(len(label) < 30 for label in labels), (name, labels)
+        clean(browser)
+
+
+def keyboard_alone(browser, folder):
+    browser.open(os.path.join(folder, "ovp.html"))
+    focused = "document.activeElement.textContent"
+    seen = set()
+    for _ in range(60):
+        browser.key("Tab")
+        seen.add(browser.run("document.activeElement.id || document.activeElement.textContent"))
+    assert {"zoom-in", "picture", "filter", "rows"} <= seen and any("L12(1)" in one for one in seen), seen
+    browser.run("document.querySelector('[data-thing]').focus()")
+    first = browser.run(focused)
+    for key in ("End", "ArrowDown", "ArrowUp"):  # the first does nothing
+        browser.key(key)
+        assert browser.run(focused + " !== ''"), key
+    assert browser.run(focused) == first
+    browser.key("Enter")
+    assert browser.run(focused) == first and browser.run("lober.view.depth") > 1.5
+    assert browser.run("document.querySelector('tr.chosen').textContent").startswith(first)
+    browser.run("document.querySelectorAll('#heads button')[1].focus()")
+    browser.run("document.activeElement.click()")
+    assert browser.run("document.activeElement.closest('th').ariaSort") == "descending"
+
+
 def main():
     path = find_browser()
     if path is None:
@@ -366,7 +412,7 @@ def main():
         return 77
     checks = [points_are_exact, zooms_into_a_pip, agrees_with_pictures_of_the_program, lobes_are_read, keys_and_wheel, exports_measure_and_iterates,
               batches, millions_of_points,
-              nothing_and_hostile_names]
+              nothing_and_hostile_names, any_size, keyboard_alone]
     with tempfile.TemporaryDirectory() as folder, Browser(path) as browser:
         for check in checks:
             check(browser, folder)

@@ -24,9 +24,8 @@ export function ticks(centre, offset, span, pixels) {
 }
 
 function plain(value, decimals) {
-  const size = Math.abs(value);
-  const text = size !== 0 && (size >= 1e7 || size < 1e-4) ? String(Number(value.toPrecision(6))) : value.toFixed(decimals);
-  return text.replace("-", "\u2212");
+  const size = Math.abs(value), short = size === 0 ? decimals < 8 : size < 1e7 && size >= 1e-4;
+  return (short ? value.toFixed(decimals) : String(Number(value.toPrecision(6)))).replaceAll("-", "\u2212");
 }
 
 // Pixels of the lines of both axes, and labels along the lower and the left edge: { text, x, y, align }.
@@ -35,7 +34,8 @@ export function axes({ x, dx, y, dy, width, height, scale }) {
   const columns = across.list.map(({ at }) => width / 2 + at * scale), rows = up.list.map(({ at }) => height / 2 - at * scale);
   const labels = [];
   across.list.forEach(({ text }, k) => {
-    if (columns[k] > 46 && columns[k] < width - 14) labels.push({ text, x: columns[k], y: height - 6, align: "center" });
+    const half = 3.5 * text.length; // pixels, about
+    if (columns[k] - half > 40 && columns[k] + half < width) labels.push({ text, x: columns[k], y: height - 6, align: "center" });
   });
   up.list.forEach(({ text }, k) => {
     if (rows[k] > 20 && rows[k] < height - 22) labels.push({ text, x: 5, y: rows[k] + 4, align: "left" });

@@ -67,7 +67,11 @@ function rows() {
       heat();
     };
     row.addEventListener("click", choose);
-    row.addEventListener("keydown", (event) => event.key === "Enter" && choose());
+    row.addEventListener("keydown", (event) => {
+      if (event.key !== "Enter") return;
+      choose();
+      byId("body").querySelector(".chosen").focus();
+    });
     return row;
   }));
   byId("count").textContent = `${Math.min(list.length, ROWS)} of ${list.length} rows` + (list.length < jobs.length ? ` (of ${jobs.length})` : "");

@@ -50,6 +50,10 @@ function* lines(layer, view, frame, iterate, newPath, step) {
       for (let k = begin; k <= end; ++k) pen.to(view.px(x[k]), view.py(y[k]));
       if (pen.segments > CHUNK) next();
     });
+    // A curve that is a point at this scale.
+    if (finished.length === 0 && pen.segments === 0 && !apart(curve.levels[curve.top], 0, frame)) {
+      pen.path.rect(view.px(x[0]) - layer.width, view.py(y[0]) - layer.width, 2 * layer.width, 2 * layer.width);
+    }
     finished.push(pen.path);
     for (const path of finished) yield { path, layer, stroke: true };
   }

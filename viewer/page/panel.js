@@ -15,6 +15,10 @@ export function describe({ layer, index, point }) {
   return `${nameOf(layer, index)}: ${[...numbers, ...at].join(", ")}`;
 }
 
+function pointsText(count) {
+  return `${count.toLocaleString("en")} ${count === 1 ? "point" : "points"}`;
+}
+
 export function fillLayers(scene, changed) {
   byId("layers").replaceChildren(...scene.layers.map((layer) => {
     const box = element("input", { type: "checkbox", checked: layer.shown });
@@ -26,14 +30,14 @@ export function fillLayers(scene, changed) {
     const swatch = element("span", { className: `swatch ${layer.kind}`, "aria-hidden": "true" });
     layer.swatch = swatch;
     const size = layer.kind === "lines"
-      ? `${layer.curves.reduce((sum, one) => sum + one.n, 0).toLocaleString("en")} points`
+      ? pointsText(layer.curves.reduce((sum, one) => sum + one.n, 0))
       : sizeOf(layer).toLocaleString("en");
     return element("li", {}, element("label", {}, box, swatch, element("span", { className: "name" }, layer.name), element("span", { className: "size" }, size)));
   }));
 }
 
 export function fillAbout(scene) {
-  const notes = [...scene.notes, `${scene.points.toLocaleString("en")} points, of curves and of corners between them.`];
+  const notes = [...scene.notes, `${pointsText(scene.points)}, of curves and of corners between them.`];
   notes.push(scene.rounded
     ? "Points near crossings and of short curves are exact; exact ones of all curves would take more than 12 MB, so others are rounded to 2^-50 of the size of their curve."
     : "All points are exact, to the last bit.");

@@ -25,14 +25,9 @@ export async function loadScene() {
     return xy;
   }
 
-  const curves = [];
-  for (const layer of scene.layers) {
-    for (const one of layer.curves ?? []) {
-      one.curve = new Curve(...await points(one, one.closed));
-      curves.push(one.curve);
-    }
-  }
-  curves.push(new Curve(...await points(scene.pool, false)));
+  const lines = scene.layers.flatMap((layer) => layer.curves ?? []);
+  for (const one of lines) one.curve = new Curve(...await points(one, one.closed));
+  const curves = [...lines.map((one) => one.curve), new Curve(...await points(scene.pool, false))];
   for (const layer of scene.layers) {
     for (const column of layer.columns ?? []) {
       column.values = await numbers(column);
@@ -48,7 +43,7 @@ export async function loadScene() {
   }
   scene.box = boxOf(scene);
   scene.iterates = iteratesOf(scene);
-  scene.points = curves.reduce((sum, curve) => sum + curve.points, 0);
+  scene.points = scene.pool.n + lines.reduce((sum, one) => sum + one.n, 0);
   return scene;
 }
 

@@ -76,12 +76,20 @@ export class Table {
     const body = [space(first * ROW)];
     for (let r = first; r < last; ++r) body.push(this.row(rows[r]));
     body.push(space((rows.length - last) * ROW));
+    const focused = document.activeElement?.dataset.thing;
     byId("body").replaceChildren(...body);
+    if (focused !== undefined) this.focus(focused);
+  }
+
+  // Moves the focus to the row of a thing, if it is in the page.
+  focus(k) {
+    this.scroller.querySelector(`[data-thing="${k}"]`)?.focus({ preventScroll: true });
   }
 
   row(k) {
     const { layer } = this;
     const name = element("button", { type: "button", title: "Choose; twice: look at it" }, nameOf(layer, k));
+    name.dataset.thing = k;
     name.addEventListener("click", () => this.choose(layer, k));
     const cells = layer.columns.map(({ values, bars }) => element("td", {}, bars ? withBar(values[k], bars[k]) : rounded(values[k], 8)));
     const row = element("tr", {}, element("th", { scope: "row" }, name), ...cells);
@@ -91,10 +99,12 @@ export class Table {
       if (event.target !== name) this.choose(layer, k);
     });
     name.addEventListener("keydown", (event) => {
-      if (event.key !== "Enter") return;
+      const other = this.rows[this.rows.indexOf(k) + { ArrowDown: 1, ArrowUp: -1 }[event.key]];
+      if (event.key !== "Enter" && other === undefined) return;
       event.preventDefault();
-      this.choose(layer, k);
-      this.zoom(layer, k);
+      if (other === undefined) return this.zoom(layer, k);
+      this.choose(layer, other);
+      this.focus(other);
     });
     return row;
   }

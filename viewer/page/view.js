@@ -2,6 +2,7 @@
 // neighbouring doubles are pixels apart; differences to it are computed in double, and only these small numbers are drawn.
 
 const DEEPEST = 1e-13; // of the whole: beyond, neighbouring doubles are further apart than pixels
+const LARGEST = 1e305; // scale, so that pixels are finite
 
 export class View {
   constructor(box) {
@@ -28,12 +29,12 @@ export class View {
     const { width, height } = this.whole, margin = 0.94;
     const across = width > 0 ? this.width / width : Infinity, up = height > 0 ? this.height / height : Infinity;
     const scale = Math.min(across, up);
-    return margin * (Number.isFinite(scale) ? scale : Math.min(this.width, this.height) / this.size);
+    return margin * Math.min(scale === Infinity ? Math.min(this.width, this.height) / this.size : scale, LARGEST);
   }
   // A double has 2^-53 of its size; a view far from the origin ends earlier than one about it.
   get maxScale() {
     const far = Math.max(Math.abs(this.whole.x), Math.abs(this.whole.y), this.size);
-    return Math.min(this.width, this.height) / (DEEPEST * far);
+    return Math.min(Math.min(this.width, this.height) / (DEEPEST * far), LARGEST);
   }
   get depth() {
     return this.scale / this.wholeScale;
