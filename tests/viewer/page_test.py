@@ -10,41 +10,10 @@ import re
 import struct
 import subprocess
 import sys
-import tempfile
 import xml.etree.ElementTree as ElementTree
 from fractions import Fraction
 
-from browser import Browser, find_browser
-
-PROGRAM = sys.argv[1]
-OVP = ["tangle", "ovp", "--param", "gamma=0.5", "--param", "eps=0.1"]
-
-
-def lober(*arguments):
-    return subprocess.run([PROGRAM, *arguments], check=True, capture_output=True, text=True).stdout
-
-
-def write_npy(path, points):
-    head = "{'descr': '<f8', 'fortran_order': False, 'shape': (%d, 2), }" % len(points)
-    head += " " * (-(len(head) + 11) % 64) + "\n"
-    with open(path, "wb") as file:
-        file.write(b"\x93NUMPY\x01\x00" + struct.pack("<H", len(head)) + head.encode())
-        file.write(struct.pack(f"<{2 * len(points)}d", *(value for point in points for value in point)))
-
-
-def curve_of(browser, layer, curve=0):
-    """The points of a curve as the page has them, bit for bit."""
-    text = browser.run(
-        f"(() => {{ const one = lober.scene.layers[{layer}].curves[{curve}]; const all = new Float64Array(2 * one.n);"
-        "for (let k = 0; k < one.n; ++k) { all[2 * k] = one.curve.x[k]; all[2 * k + 1] = one.curve.y[k]; }"
-        "let text = ''; for (const byte of new Uint8Array(all.buffer)) text += String.fromCharCode(byte); return btoa(text); })()")
-    values = struct.unpack(f"<{len(base64.b64decode(text)) // 8}d", base64.b64decode(text))
-    return list(zip(values[::2], values[1::2]))
-
-
-def clean(browser):
-    assert browser.complaints == [], browser.complaints
-    assert all(url.startswith(("file:", "about:", "blob:", "data:")) for url in browser.requests), browser.requests
+from pages import OVP, PROGRAM, curve_of, lober, run, write_npy
 
 
 def points_are_exact(browser, folder):
@@ -311,115 +280,6 @@ def batches(browser, folder):
     assert colours >= 4, colours
 
 
-def millions_of_points(browser, folder):
-    sources = []
-    for number in (1, 2):
-        sources.append(os.path.join(folder, f"m{number}.npy"))
-        write_npy(sources[-1], [(math.cos(6e-6 * number * k) * (1 + 0.3 * math.sin(4e-5 * k)),
-                                math.sin(6e-6 * number * k) + (k * 2654435761 % 1024 - 512) * 1e-16)
-                                for k in range(1_000_000)])
-    page = os.path.join(folder, "m.html")
-    lober("view", *sources, "-o", page)
-    size = os.path.getsize(page)
-    assert size <= 12_000_000, size
-    seconds = browser.open(page)
-    frames = browser.run("""(async () => { const times = []; let last = performance.now();
-        for (let k = 0; k < 40; ++k) { lober.moved(() => lober.view.zoom(k % 2 ? 1.2 : 0.9, 400, 300));
-        await new Promise((done) => requestAnimationFrame(() => setTimeout(done, 0)));
-        const now = performance.now(); times.push(now - last); last = now; }
-        return times.sort((a, b) => a - b)[20]; })()""")
-    print(f"2x10^6 points: {size / 1e6:.1f} MB, ready after {seconds:.2f} s, {1000 / frames:.0f} frames a second")
-    assert seconds < 10 and frames < 200, "an order of magnitude off, on whatever machine"
-
-
-def nothing_and_hostile_names(browser, folder):
-    source, page = os.path.join(folder, "h.dat"), os.path.join(folder, "h.html")
-    bad = ["</script><script>window.hit=1</script>", "<img src=x onerror=window.hit=1>", "' onload='window.hit=1",
-           "a<!--", "{{data}}", "x" * 10000, "\u202e\u0007 & &amp;"]
-    with open(source, "w", encoding="utf-8") as file:
-        for title in bad:
-            file.write(f'ZONE T="{title}"\n0 0\n1 1\n2 0\n')
-    lober("view", source, "-o", page)
-    browser.open(page)
-    names = browser.run("lober.scene.layers.map((layer) => layer.name)")
-    assert names == bad, [a for a, b in zip(names, bad) if a != b]
-    assert browser.run("[...document.querySelectorAll('#layers .name')].map((one) => one.textContent)") == bad
-    assert browser.run("window.hit === undefined && document.querySelectorAll('img').length === 0")
-    try:
-        browser.run("eval('1')")
-        raise AssertionError("eval is allowed")
-    except RuntimeError as error:
-        assert "Content Security Policy" in str(error) or "EvalError" in str(error), error
-    browser.complaints.clear()  # of that
-    one = os.path.join(folder, "one.dat")
-    with open(one, "w") as file:
-        file.write("3 4\n")
-    lober("view", one, "-o", page)
-    browser.open(page)
-    assert browser.run("lober.view.box().every(Number.isFinite)")
-
-
-def any_size(browser, folder):
-    """Curves as large and as small as doubles, far away, and of one point, are seen."""
-    page = os.path.join(folder, "size.html")
-    circle = [(math.cos(k / 50), math.sin(k / 50)) for k in range(320)]
-    curves = {
-        "huge": [(1e300 * x, 1e300 * y) for x, y in circle], "tiny": [(1e-300 * x, 1e-300 * y) for x, y in circle],
-        "denormal": [(1e-315 * x, 1e-315 * y) for x, y in circle], "flat": [(1e300 * x, 1e-300 * y) for x, y in circle],
-        "far": [(1e15 + 100 * x, 100 * y - 1e15) for x, y in circle], "one point": [(3, 4)], "equal points": [(3, 4)] * 50,
-    }
-    for name, points in curves.items():
-        source = os.path.join(folder, "size.npy")
-        write_npy(source, points)
-        lober("view", source, "-o", page)
-        browser.open(page)
-        browser.settle()
-        red = browser.run("(() => { const c = lober.canvas, d = lober.context.getImageData(0, 0, c.width, c.height).data;"
-                          "let n = 0; for (let k = 0; k < d.length; k += 4) n += d[k] > d[k + 2] + 60; return n; })()")
-        assert red >= (2 if len(set(points)) == 1 or name == "denormal" else 300), (name, red)
-        labels = browser.run("(async () => new DOMParser().parseFromString(lober.svg(), 'text/xml'))().then((svg) =>"
-                             "[...svg.querySelectorAll('text')].map((one) => one.textContent))")
-        assert labels and all(len(label) < 30 for label in labels), (name, labels)
-        clean(browser)
-
-
-def keyboard_alone(browser, folder):
-    browser.open(os.path.join(folder, "ovp.html"))
-    focused = "document.activeElement.textContent"
-    seen = set()
-    for _ in range(60):
-        browser.key("Tab")
-        seen.add(browser.run("document.activeElement.id || document.activeElement.textContent"))
-    assert {"zoom-in", "picture", "filter", "rows"} <= seen and any("L12(1)" in one for one in seen), seen
-    browser.run("document.querySelector('[data-thing]').focus()")
-    first = browser.run(focused)
-    for key in ("End", "ArrowDown", "ArrowUp"):  # the first does nothing
-        browser.key(key)
-        assert browser.run(focused + " !== ''"), key
-    assert browser.run(focused) == first
-    browser.key("Enter")
-    assert browser.run(focused) == first and browser.run("lober.view.depth") > 1.5
-    assert browser.run("document.querySelector('tr.chosen').textContent").startswith(first)
-    browser.run("document.querySelectorAll('#heads button')[1].focus()")
-    browser.run("document.activeElement.click()")
-    assert browser.run("document.activeElement.closest('th').ariaSort") == "descending"
-
-
-def main():
-    path = find_browser()
-    if path is None:
-        print("skipped: no chromium is installed (apt-get install chromium)")
-        return 77
-    checks = [points_are_exact, zooms_into_a_pip, agrees_with_pictures_of_the_program, lobes_are_read, keys_and_wheel, exports_measure_and_iterates,
-              batches, millions_of_points,
-              nothing_and_hostile_names, any_size, keyboard_alone]
-    with tempfile.TemporaryDirectory() as folder, Browser(path) as browser:
-        for check in checks:
-            check(browser, folder)
-            clean(browser)
-            print(check.__name__, "passed", flush=True)
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(run([points_are_exact, zooms_into_a_pip, agrees_with_pictures_of_the_program, lobes_are_read, keys_and_wheel,
+                  exports_measure_and_iterates, batches]))

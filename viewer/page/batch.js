@@ -104,7 +104,8 @@ function heat() {
   const context = canvas.getContext("2d");
   context.scale(ratio, ratio);
   const grid = gridOf(cells()), style = getComputedStyle(document.documentElement);
-  cellAt = paintGrid(context, grid, canvas.clientWidth, canvas.clientHeight, style.getPropertyValue("--panel").trim());
+  const [textX, textY] = ["x", "y"].map((id) => (value) => (byId("axes").hidden ? String(value) : textOf(byId(id).value, value)));
+  cellAt = paintGrid(context, grid, canvas, style, textX, textY);
   byId("range").textContent = grid.high >= grid.low ? `${rounded(grid.low)} (dark) to ${rounded(grid.high)} (light)` : "no values";
 }
 

@@ -2,17 +2,23 @@
 import { nameOf, sizeOf } from "./scene.js";
 import { byId, element, rounded, withBar } from "./text.js";
 
+// A name within a line: so short that the rest is seen, and without characters that would turn the rest round.
+function shortName(name) {
+  const plain = name.replace(/[\u202a-\u202e\u2066-\u2069]/g, "");
+  return plain.length > 60 ? `${plain.slice(0, 59)}\u2026` : plain;
+}
+
 // One line about a thing: its name, numbers with error bars, and the point of a curve.
 export function describe({ layer, index, point }) {
   if (layer.kind === "lines") {
     const one = layer.curves[index];
-    return `${one.name}: point ${point} of ${one.n} (${one.curve.x[point]}, ${one.curve.y[point]})`;
+    return `${shortName(one.name)}: point ${point} of ${one.n} (${one.curve.x[point]}, ${one.curve.y[point]})`;
   }
   const numbers = layer.columns
     .filter(({ values }) => Number.isFinite(values[index]))
     .map(({ name, values, bars }) => `${name} ${bars ? withBar(values[index], bars[index]) : rounded(values[index], 10)}`);
   const at = layer.kind === "dots" ? [`at (${layer.dots.x[index]}, ${layer.dots.y[index]})`] : [];
-  return `${nameOf(layer, index)}: ${[...numbers, ...at].join(", ")}`;
+  return `${shortName(nameOf(layer, index))}: ${[...numbers, ...at].join(", ")}`;
 }
 
 function pointsText(count) {
