@@ -100,6 +100,22 @@ def any_size(browser, folder):
         clean(browser)
 
 
+def areas_of_any_size(browser, folder):
+    """A square is found by what is within it, and not beside it."""
+    page = os.path.join(folder, "square.html")
+    for size in (1e140, 1.0, 1e-140):
+        sources = []
+        for number, west in enumerate((0, 1)):
+            sources.append(os.path.join(folder, f"square{number}.npy"))
+            write_npy(sources[-1], [(size * (west + x), size * y) for x, y in ((0, 0), (2, 0), (2, 2), (0, 2))])
+        lober("overlay", *sources, "--no-discretisation", "--html", page)
+        browser.open(page)
+        for x, name in ((0.5, "C1 \\ C2 0"), (2.5, "C2 \\ C1 0"), (5, None)):
+            found = browser.run(f"(() => {{ const found = lober.thingAt(lober.view.px({x * size!r}), lober.view.py({0.5 * size!r}));"
+                                "return found && `${found.layer.name} ${found.index}`; })()")
+            assert found == name, (size, x, found)
+
+
 def keyboard_alone(browser, folder):
     page = os.path.join(folder, "ovp.html")
     lober(*OVP, "--html", page)
@@ -125,4 +141,5 @@ def keyboard_alone(browser, folder):
 
 
 if __name__ == "__main__":
-    sys.exit(run([millions_of_points, ten_thousand_lobes, nothing_and_hostile_names, any_size, keyboard_alone]))
+    sys.exit(run([millions_of_points, ten_thousand_lobes, nothing_and_hostile_names, any_size, areas_of_any_size,
+                  keyboard_alone]))

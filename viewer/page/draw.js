@@ -50,8 +50,8 @@ function* lines(layer, view, frame, iterate, newPath, step) {
       for (let k = begin; k <= end; ++k) pen.to(view.px(x[k]), view.py(y[k]));
       if (pen.segments > CHUNK) next();
     });
-    // A curve that is a point at this scale.
-    if (finished.length === 0 && pen.segments === 0 && !apart(curve.levels[curve.top], 0, frame)) {
+    const whole = curve.levels[curve.top];
+    if (smaller(whole, 0, small) && !apart(whole, 0, frame)) { // a point, at this scale
       pen.path.rect(view.px(x[0]) - layer.width, view.py(y[0]) - layer.width, 2 * layer.width, 2 * layer.width);
     }
     finished.push(pen.path);
