@@ -55,6 +55,13 @@ def nothing_and_hostile_names(browser, folder):
     except RuntimeError as error:
         assert "Content Security Policy" in str(error) or "EvalError" in str(error), error
     browser.complaints.clear()  # of that
+    for link in ("#%,%E0%A4%A,1", "#,,,", "#NaN,1,1", "#1e308,-1e308,1e-300,99.x", "#1%2C0.5%2C30", "#</script><img src=x>"):
+        browser.open(page, link)
+        browser.settle()
+        assert browser.run("document.getElementById('loading').hidden && lober.view.box().every(Number.isFinite)"), link
+        clean(browser)
+    browser.open(page, "#1%2C0.5%2C30")
+    assert browser.run("lober.view.x === 1 && lober.view.y === 0.5")
     one = os.path.join(folder, "one.dat")
     with open(one, "w") as file:
         file.write("3 4\n")

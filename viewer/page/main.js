@@ -134,7 +134,6 @@ class Page {
     paintLabels();
     byId("zoom").textContent = `zoom ${Number(view.depth.toPrecision(3)).toLocaleString("en")}`;
     byId("end").hidden = !view.atEnd;
-    document.documentElement.dataset.frames = String(Number(document.documentElement.dataset.frames || 0) + 1);
   }
 
   say(text) {
@@ -199,7 +198,7 @@ class Page {
     }
   }
   fromLink() {
-    const [x, y, scale, layers] = decodeURIComponent(location.hash.slice(1)).split(",");
+    const [x, y, scale, layers] = location.hash.slice(1).replaceAll(/%2c/gi, ",").split(",");
     if (!scale || !this.view.fromLink(Number(x), Number(y), Number(scale))) return;
     if (layers !== undefined) {
       const shown = layers.split(".");

@@ -20,16 +20,25 @@ class Coverage {
   }
 }
 
-// Draws lines into a path (a Path2D, or the text of one for SVG). Points nearer than `step` to the last one are left out,
-// and short segments between cells of that size that the line has been to.
-export class LinePen {
-  constructor(path, width, height, step = 0.5) {
+// `path` is a Path2D, or TextPath; points nearer than `step` pixels to the last one are left out.
+class Pen {
+  constructor(path, width, height, step) {
     this.path = path;
-    this.coverage = new Coverage(width, height, step);
-    this.segments = 0; // that were drawn
+    this.step = step;
     this.right = width + MARGIN;
     this.bottom = height + MARGIN;
-    this.step = step;
+  }
+  sees(x, y) {
+    return x >= -MARGIN && x <= this.right && y >= -MARGIN && y <= this.bottom;
+  }
+}
+
+// Draws lines. Short segments between cells of the size of a step that the line has been to are left out too.
+export class LinePen extends Pen {
+  constructor(path, width, height, step) {
+    super(path, width, height, step);
+    this.coverage = new Coverage(width, height, step);
+    this.segments = 0; // that were drawn
     this.up();
   }
   up() {
@@ -39,17 +48,16 @@ export class LinePen {
     if (!this.down) {
       this.down = true;
       this.open = false; // whether the path has this.x, this.y as its last point
-      this.seen = inside(x, y, this.right, this.bottom) && this.coverage.mark(x, y);
+      this.seen = this.sees(x, y) && this.coverage.mark(x, y);
       this.x = x;
       this.y = y;
       return;
     }
-    const far = Math.abs(x - this.x) >= this.step || Math.abs(y - this.y) >= this.step;
-    if (!far) return;
+    if (Math.abs(x - this.x) < this.step && Math.abs(y - this.y) < this.step) return;
     const x0 = this.x, y0 = this.y;
     this.x = x;
     this.y = y;
-    if (inside(x0, y0, this.right, this.bottom) && inside(x, y, this.right, this.bottom)) {
+    if (this.sees(x0, y0) && this.sees(x, y)) {
       const before = this.seen;
       this.seen = this.coverage.mark(x, y);
       if (before && this.seen && Math.abs(x - x0) + Math.abs(y - y0) < 4 * this.step) {
@@ -70,12 +78,8 @@ export class LinePen {
   }
 }
 
-function inside(x, y, right, bottom) {
-  return x >= -MARGIN && x <= right && y >= -MARGIN && y <= bottom;
-}
-
 // The part of a segment in the frame (Liang & Barsky 1984); null if there is none.
-export function cut(x0, y0, x1, y1, right, bottom) {
+function cut(x0, y0, x1, y1, right, bottom) {
   let from = 0, to = 1;
   const dx = x1 - x0, dy = y1 - y0;
   for (const [p, q] of [[-dx, x0 + MARGIN], [dx, right - x0], [-dy, y0 + MARGIN], [dy, bottom - y0]]) {
@@ -91,20 +95,15 @@ export function cut(x0, y0, x1, y1, right, bottom) {
 }
 
 // Collects the corners of a ring and puts it into a path, cut to the frame.
-export class RingPen {
-  constructor(path, width, height, step = 0.5) {
-    this.path = path;
-    this.right = width + MARGIN;
-    this.bottom = height + MARGIN;
-    this.step = step;
-    this.x = [];
-    this.y = [];
-    this.outside = false;
-  }
+export class RingPen extends Pen {
+  x = [];
+  y = [];
+  outside = false;
+
   to(x, y) {
     const n = this.x.length;
     if (n > 0 && Math.abs(x - this.x[n - 1]) < this.step && Math.abs(y - this.y[n - 1]) < this.step) return;
-    if (!inside(x, y, this.right, this.bottom)) this.outside = true;
+    if (!this.sees(x, y)) this.outside = true;
     this.x.push(x);
     this.y.push(y);
   }

@@ -36,6 +36,9 @@ export class View {
     const far = Math.max(Math.abs(this.whole.x), Math.abs(this.whole.y), this.size);
     return Math.min(Math.min(this.width, this.height) / (DEEPEST * far), LARGEST);
   }
+  limited(scale) {
+    return Math.min(Math.max(scale, 0.2 * this.wholeScale), this.maxScale);
+  }
   get depth() {
     return this.scale / this.wholeScale;
   }
@@ -73,7 +76,7 @@ export class View {
     this.normalise();
   }
   zoom(factor, px = this.width / 2, py = this.height / 2) {
-    const scale = Math.min(Math.max(this.scale * factor, 0.2 * this.wholeScale), this.maxScale);
+    const scale = this.limited(this.scale * factor);
     this.dx += (px - this.width / 2) * (1 / this.scale - 1 / scale);
     this.dy -= (py - this.height / 2) * (1 / this.scale - 1 / scale);
     this.scale = scale;
@@ -106,7 +109,7 @@ export class View {
     this.x = x;
     this.y = y;
     this.dx = this.dy = 0;
-    this.scale = Math.min(depth * this.wholeScale, this.maxScale);
+    this.scale = this.limited(depth * this.wholeScale);
     return true;
   }
 }
