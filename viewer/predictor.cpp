@@ -9,7 +9,7 @@ namespace {
 using Gains = std::array<double, 4>;  // share of what was unexpected that each coefficient takes
 
 // With memory 0 the polynomial goes through the last degree + 1 points.
-Gains gains_of(int degree, double memory) {
+constexpr Gains gains_of(int degree, double memory) {
   const double m = memory, c = 1 - m;
   switch (degree) {
     case 0:
@@ -23,9 +23,10 @@ Gains gains_of(int degree, double memory) {
   }
 }
 
-const std::array<Gains, Predictor::ways> gains{gains_of(0, 0.75), gains_of(1, 0),   gains_of(2, 0),   gains_of(2, 0.5),
-                                               gains_of(3, 0),    gains_of(3, 0.3), gains_of(3, 0.5), gains_of(3, 0.7)};
-const std::array<Gains, 4> first_gains{gains_of(0, 0), gains_of(1, 0), gains_of(2, 0), gains_of(3, 0)};
+constexpr std::array<Gains, Predictor::ways> gains{gains_of(0, 0.75), gains_of(1, 0),  gains_of(2, 0),
+                                                   gains_of(2, 0.5),  gains_of(3, 0),  gains_of(3, 0.3),
+                                                   gains_of(3, 0.5),  gains_of(3, 0.7)};
+constexpr std::array<Gains, 4> first_gains{gains_of(0, 0), gains_of(1, 0), gains_of(2, 0), gains_of(3, 0)};
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "viewer/bits.hpp"
 #include "viewer/grid.hpp"
@@ -169,6 +170,7 @@ std::array<std::vector<double>, 2> decoded(std::string_view bytes, std::size_t c
       const int symbol = byte(symbols + rank * count + k),
                 width = symbol - (symbol < break_symbol ? long_symbol : break_symbol);
       std::uint64_t number = static_cast<std::uint64_t>(symbol);
+      if (width > 64) throw std::out_of_range("a series has a number of too many bits");
       if (width > 0) {
         number = rest.number(width - 1) | 1ull << (width - 1);
       } else if (width == 0) {

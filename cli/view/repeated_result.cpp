@@ -101,7 +101,7 @@ void add_repeated_curves(std::vector<std::string>& arguments, const Json& result
     if (sha256_of_file(file) != hash.get<std::string>()) {
       throw DataError(file + ": is not as it was when " + path + " was computed; run the command again");
     }
-    arguments.push_back(name);
+    arguments.push_back(name.starts_with('-') ? "./" + name : name);  // no option
     if (!is_name && input.value("reversed", false)) reversed += k == 0 ? "u" : "s";
   }
   if (!reversed.empty()) arguments.push_back("--reverse=" + (reversed == "us" ? "both" : reversed));

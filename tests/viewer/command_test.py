@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The commands that write pages, without a browser: command_test.py LOBER."""
 
+import json
 import os
 import shutil
 import subprocess
@@ -75,6 +76,14 @@ def what_cannot_be_shown_is_refused():
     run("view", "manifolds.dat", "-o", "manifolds.dat", status=2)
     run("view", "manifolds.dat", status=2, says="--output is missing")
     run("transport", "ovp", "--sweep", "eps=0.1:0.2:0.1", "--html", "c.html", status=2, says="cannot be given together")
+    shutil.copy("manifolds.dat", "--json=stolen.json")  # a file whose name could be taken for an option
+    run("regions", "./--json=stolen.json#0", "--json", "dash.json")
+    result = json.loads(content("dash.json"))
+    result["inputs"] = ["--json=stolen.json#0"]
+    with open("dash.json", "w") as file:
+        file.write(json.dumps(result))
+    run("view", "dash.json", "-o", "dash.html")
+    assert not os.path.exists("stolen.json")
     with open("bad.json", "w") as file:
         file.write('{"program": {}, "command": "overlay", "inputs": 3, "options": {}}')
     run("view", "bad.json", "-o", "c.html", status=1, says="cannot be read as a result of lober")

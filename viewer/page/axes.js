@@ -9,9 +9,9 @@ export function ticks(centre, offset, span, pixels) {
   const step = [1, 2, 5, 10].find((one) => one * power >= rough) * power;
   const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
   const far = Math.abs(centre) > 2e3 * step;
-  // A number with so few decimals that ticks beside it have one or two digits.
-  const places = -decade - 2;
-  const origin = !far ? 0 : places >= 0 ? Number(centre.toFixed(Math.min(100, places))) : Math.round(centre * 10 ** places) / 10 ** places;
+  // A number with so few digits, up to that of 10^-places, that ticks beside it have one or two.
+  const places = -decade - 2, digits = Math.floor(Math.log10(Math.abs(centre))) + places + 1;
+  const origin = far ? Number(centre.toPrecision(digits)) : 0;
   const shift = origin - centre - offset;
   const list = [];
   for (let k = Math.ceil((-span / 2 - shift) / step); k * step + shift <= span / 2; ++k) {
@@ -19,8 +19,9 @@ export function ticks(centre, offset, span, pixels) {
     const text = far ? `${k < 0 ? "\u2212" : "+"}${Math.abs(Math.round(value / power))}` : plain(value, decimals);
     list.push({ at: value + shift, text: far && k === 0 ? "0" : text });
   }
-  const name = !far ? "" : `${places >= 0 ? origin.toFixed(Math.min(100, places)) : origin} + n\u00b7${decade === 0 ? 1 : `1e${decade}`}`;
-  return { list, origin: name.replace("-", "\u2212") };
+  const number = places >= 0 && places <= 20 ? origin.toFixed(places) : String(origin);
+  const name = `${number} + n\u00b7${decade === 0 ? 1 : `1e${decade}`}`;
+  return { list, origin: far ? name.replaceAll("-", "\u2212") : "" };
 }
 
 function plain(value, decimals) {

@@ -6,8 +6,8 @@ import { apart, smaller } from "./tree.js";
 const CHUNK = 1024; // segments of a path: longer ones take a canvas more time than they save
 const DOT_CELL = 4; // pixels between dots that are drawn
 
-// Gives { path, layer }, to be filled, or stroked if `stroke` is true, or both if `selected` is; `newPath` makes an empty path, `step` is the smallest distance
-// of points in pixels.
+// Gives { path, layer }, to be filled, or stroked if `stroke` is true, or both if `selected` is; `newPath`
+// makes an empty path, `step` is the smallest distance of points in pixels.
 export function* drawings(scene, view, { iterate, selected }, newPath, step) {
   const frame = view.box(MARGIN);
   for (const layer of scene.layers) {

@@ -9,7 +9,7 @@ export function heatColour(part) {
 }
 
 // Different values in order: numbers by size, texts by the order in which they came.
-export function steps(values) {
+function steps(values) {
   const all = [...new Set(values)];
   return all.every((value) => typeof value === "number") ? all.sort((a, b) => a - b) : all;
 }
@@ -56,5 +56,8 @@ export function paintGrid(context, grid, canvas, style, textX, textY) {
   label(columns, (width - LEFT) / 60, textX, (c) => [left(c + 0.5), height - 5]);
   context.textAlign = "right";
   label(rows, (height - BOTTOM) / 20, textY, (r) => [LEFT - 6, top(r) + up / 2 + 4]);
-  return (px, py) => (px < LEFT || py > height - BOTTOM ? undefined : grid.at(Math.floor((px - LEFT) / across), Math.floor((height - BOTTOM - py) / up)));
+  return (px, py) => {
+    if (px < LEFT || py > height - BOTTOM) return undefined;
+    return grid.at(Math.floor((px - LEFT) / across), Math.floor((height - BOTTOM - py) / up));
+  };
 }

@@ -154,7 +154,7 @@ class Page {
     this.canvas.focus({ preventScroll: true });
     if (this.measure.on) {
       const [exact] = hits(this.scene, this.view, this.state.iterate, px, py);
-      const source = exact && (exact.layer.kind === "dots" ? exact.layer.dots : exact.layer.kind === "lines" ? exact.layer.curves[exact.index].curve : null);
+      const source = exact?.layer.dots ?? exact?.layer.curves?.[exact.index].curve;
       this.measure.add(...(source ? [source.x[exact.point], source.y[exact.point]] : this.view.at(px, py)));
       this.say(this.measure.text);
       return this.redraw();

@@ -38,14 +38,16 @@ export function fillLayers(scene, changed) {
     const size = layer.kind === "lines"
       ? pointsText(layer.curves.reduce((sum, one) => sum + one.n, 0))
       : sizeOf(layer).toLocaleString("en");
-    return element("li", {}, element("label", {}, box, swatch, element("span", { className: "name" }, layer.name), element("span", { className: "size" }, size)));
+    const texts = [["name", layer.name], ["size", size]].map(([className, text]) => element("span", { className }, text));
+    return element("li", {}, element("label", {}, box, swatch, ...texts));
   }));
 }
 
 export function fillAbout(scene) {
   const notes = [...scene.notes, `${pointsText(scene.points)}, of curves and of corners between them.`];
   notes.push(scene.rounded
-    ? "Points near crossings and of short curves are exact; exact ones of all curves would take more than 12 MB, so others are rounded to 2^-50 of the size of their curve."
+    ? "Points near crossings and of short curves are exact; exact ones of all curves would take more than 12 MB, so " +
+      "others are rounded to 2^-50 of the size of their curve."
     : "All points are exact, to the last bit.");
   byId("notes").replaceChildren(...notes.map((note) => element("li", {}, note)));
 }

@@ -91,7 +91,8 @@ export class Table {
     const name = element("button", { type: "button", title: "Choose; twice: look at it" }, nameOf(layer, k));
     name.dataset.thing = k;
     name.addEventListener("click", () => this.choose(layer, k));
-    const cells = layer.columns.map(({ values, bars }) => element("td", {}, bars ? withBar(values[k], bars[k]) : rounded(values[k], 8)));
+    const textOf = ({ values, bars }) => (bars ? withBar(values[k], bars[k]) : rounded(values[k], 8));
+    const cells = layer.columns.map((column) => element("td", {}, textOf(column)));
     const row = element("tr", {}, element("th", { scope: "row" }, name), ...cells);
     if (this.chosen && this.chosen.layer === layer && this.chosen.index === k) row.className = "chosen";
     row.addEventListener("dblclick", () => this.zoom(layer, k));
@@ -115,7 +116,8 @@ export class Table {
     const at = chosen && chosen.layer === this.layer ? this.rows.indexOf(chosen.index) : -1;
     if (at >= 0) {
       const { scrollTop, clientHeight } = this.scroller, top = at * ROW;
-      if (top < scrollTop || top > scrollTop + clientHeight - 2 * ROW) this.scroller.scrollTop = Math.max(0, top - clientHeight / 2);
+      const hidden = top < scrollTop || top > scrollTop + clientHeight - 2 * ROW;
+      if (hidden) this.scroller.scrollTop = Math.max(0, top - clientHeight / 2);
     }
     this.fill();
   }
