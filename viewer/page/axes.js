@@ -11,7 +11,7 @@ export function ticks(centre, offset, span, pixels) {
   const far = Math.abs(centre) > 2e3 * step;
   // A number with so few digits, up to that of 10^-places, that ticks beside it have one or two.
   const places = -decade - 2, digits = Math.floor(Math.log10(Math.abs(centre))) + places + 1;
-  const origin = far ? Number(centre.toPrecision(digits)) : 0;
+  const origin = far ? Number(centre.toPrecision(Math.min(digits, 17))) : 0;
   const shift = origin - centre - offset;
   const list = [];
   for (let k = Math.ceil((-span / 2 - shift) / step); k * step + shift <= span / 2; ++k) {

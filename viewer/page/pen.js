@@ -3,23 +3,6 @@
 
 export const MARGIN = 64; // pixels beyond the frame that are still drawn
 
-// Which cells of the frame a line has been to, so that a tangle that fills them is not drawn a hundred times over.
-class Coverage {
-  constructor(width, height, cell) {
-    this.cell = cell;
-    this.columns = Math.ceil((width + 2 * MARGIN) / cell) + 1;
-    this.rows = Math.ceil((height + 2 * MARGIN) / cell) + 1;
-    this.marks = new Uint8Array(this.columns * this.rows);
-  }
-  // Marks the cell of a point in the frame; whether it was marked before.
-  mark(x, y) {
-    const at = Math.floor((y + MARGIN) / this.cell) * this.columns + Math.floor((x + MARGIN) / this.cell);
-    const before = this.marks[at];
-    this.marks[at] = 1;
-    return before === 1;
-  }
-}
-
 // `path` is a Path2D, or TextPath; points nearer than `step` pixels to the last one are left out.
 class Pen {
   constructor(path, width, height, step) {
@@ -33,14 +16,11 @@ class Pen {
   }
 }
 
-// Draws lines. Short segments between cells of the size of a step that the line has been to are left out too.
+// Draws lines.
 export class LinePen extends Pen {
-  constructor(path, width, height, step) {
-    super(path, width, height, step);
-    this.coverage = new Coverage(width, height, step);
-    this.segments = 0; // that were drawn
-    this.up();
-  }
+  segments = 0; // that were drawn
+  down = false;
+
   up() {
     this.down = false;
   }
@@ -48,33 +28,21 @@ export class LinePen extends Pen {
     if (!this.down) {
       this.down = true;
       this.open = false; // whether the path has this.x, this.y as its last point
-      this.seen = this.sees(x, y) && this.coverage.mark(x, y);
       this.x = x;
       this.y = y;
       return;
     }
     if (Math.abs(x - this.x) < this.step && Math.abs(y - this.y) < this.step) return;
-    const x0 = this.x, y0 = this.y;
+    const x0 = this.x, y0 = this.y, within = this.sees(x0, y0) && this.sees(x, y);
+    const part = within ? [x0, y0, x, y] : cut(x0, y0, x, y, this.right, this.bottom);
     this.x = x;
     this.y = y;
-    if (this.sees(x0, y0) && this.sees(x, y)) {
-      const before = this.seen;
-      this.seen = this.coverage.mark(x, y);
-      if (before && this.seen && Math.abs(x - x0) + Math.abs(y - y0) < 4 * this.step) {
-        this.open = false;
-        return;
-      }
-      if (!this.open) this.path.moveTo(x0, y0);
-      this.path.lineTo(x, y);
-      this.open = true;
+    if (part) {
+      if (!within || !this.open) this.path.moveTo(part[0], part[1]);
+      this.path.lineTo(part[2], part[3]);
       ++this.segments;
-      return;
     }
-    this.open = this.seen = false;
-    const part = cut(x0, y0, x, y, this.right, this.bottom);
-    if (!part) return;
-    this.path.moveTo(part[0], part[1]);
-    this.path.lineTo(part[2], part[3]);
+    this.open = within;
   }
 }
 
