@@ -6,6 +6,10 @@
 #include <cmath>
 #include <cstdio>
 #include <random>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "engine/files/formats/gzip.hpp"
 #include "lober/operations.hpp"
