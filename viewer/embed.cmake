@@ -1,7 +1,7 @@
 # Writes the sources of pages into a C++ file. Modules are joined into one script in the order given: names are unique among
 # them, so imports fall away. Run as cmake -DFOLDER=... -DOUTPUT=... -P embed.cmake
-set(page_modules series text tree view pen axes shapes hit scene draw export measure table panel gestures main)
-set(batch_modules text heat batch)
+set(page_modules predictor series text tree view pen axes shapes hit scene draw export measure columns table panel gestures main)
+set(batch_modules text columns heat batch)
 
 function(embed name text)
   set(code "${code}const std::string_view ${name} = R\"viewer(${text})viewer\";\n" PARENT_SCOPE)
@@ -19,11 +19,12 @@ function(script_of result)
 endfunction()
 
 set(code "#include \"viewer/embedded.hpp\"\n\nnamespace lober::viewer {\n\n")
-foreach(file page.html page.css batch.html)
-  file(READ ${FOLDER}/${file} text)
-  string(REPLACE "." "_" name ${file})
-  string(REPLACE "page_css" "page_style" name ${name})
-  embed(${name} "${text}")
+file(READ ${FOLDER}/page.css text)
+embed(page_style "${text}")
+file(READ ${FOLDER}/head.html head)
+foreach(page page batch)
+  file(READ ${FOLDER}/${page}.html text)
+  embed(${page}_html "${head}${text}")
 endforeach()
 script_of(text ${page_modules})
 embed(page_script "${text}")

@@ -82,7 +82,7 @@ std::string page_with(std::string_view form, const std::string& title, std::stri
 }  // namespace
 
 std::string page_of(const Scene& scene) {
-  const PageData data = page_data(scene, max_exact_points);
+  const PageData data = page_data(scene, max_exact_size);
   std::string text = "<script type=\"application/json\" id=\"scene\">" + data.json + "</script>\n";
   for (std::size_t k = 0; k < data.series.size(); ++k) {
     append_all(text, "<script type=\"text/plain\" id=\"s", k, "\">", data.series[k], "</script>\n");

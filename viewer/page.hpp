@@ -7,12 +7,13 @@
 
 namespace lober::viewer {
 
-/// Scenes of at most this number of points keep each of them exactly. In larger ones points away from crossings are
-/// rounded to 2^-50 of the size of their curve.
-inline constexpr std::size_t max_exact_points = 500'000;
+/// Bytes that exact points may take in a page, so that it can be sent by mail, and opens within two seconds. Where they
+/// would take more, points away from crossings are rounded to 2^-50 of the size of their curve, which spares the bytes
+/// of digits that no picture of the whole curve can show.
+inline constexpr std::size_t max_exact_size = 12'000'000;
 
 /// The page of a scene, as HTML. Texts of the scene stay texts, whatever is in them. Throws DataError for coordinates
-/// that are not finite. O(N), parallel; about 6 bytes a point of curves that were grown.
+/// that are not finite. O(N), parallel; about 5 bytes a point of curves that were grown.
 [[nodiscard]] std::string page_of(const Scene& scene);
 
 /// Writes the page to a file, which appears when it is complete.

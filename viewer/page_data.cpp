@@ -50,14 +50,15 @@ class SeriesList {
     const auto kept = std::make_shared<const std::vector<double>>(std::move(values));
     const std::string members = begin(kept->size());
     for (std::size_t first = 0; first < kept->size(); first += part_values) {
-      parts_.emplace_back([kept, first] {
+      parts_.emplace_back([kept, first](bool) {
         return encode_series(std::span(*kept).subspan(first, std::min(part_values, kept->size() - first)));
       });
     }
     return members;
   }
 
-  // Of points, which stay alive. `exact`: numbers of points, ascending.
+  // Of points, which stay alive. `step`: see encode_series, where they may be rounded; `exact`: numbers of points that
+  // may not, ascending.
   std::string add(std::span<const Point> points, double step, const std::vector<std::uint32_t>& exact) {
     const std::string members = begin(points.size());
     for (std::size_t first = 0; first < points.size(); first += part_values) {
@@ -67,24 +68,23 @@ class SeriesList {
            at != exact.end() && *at < first + part.size(); ++at) {
         here.push_back(*at - static_cast<std::uint32_t>(first));
       }
-      for (double Point::*const member : {&Point::x, &Point::y}) {
-        parts_.emplace_back([part, step, here, member] {
-          std::vector<double> values;
-          values.reserve(part.size());
-          for (const Point& point : part) values.push_back(point.*member);
-          return encode_series(values, step, here);
-        });
-      }
+      parts_.emplace_back([part, step, here](bool rounds) {
+        std::vector<double> x, y;
+        for (const Point& point : part) {
+          x.push_back(point.x);
+          y.push_back(point.y);
+        }
+        return encode_points(x, y, rounds ? step : 0, here);
+      });
     }
     return members;
   }
 
-  [[nodiscard]] std::vector<std::string> written(bool& deflated) const {
+  [[nodiscard]] std::vector<std::string> written(bool deflates, bool rounds) const {
     std::vector<std::string> texts(parts_.size());
-    deflated = detail::deflated("").has_value();
     detail::for_each_block(parts_.size(), 1, [&](std::size_t k, std::size_t) {
-      const std::string bytes = parts_[k]();
-      texts[k] = base64(deflated ? *detail::deflated(bytes) : bytes);
+      const std::string bytes = parts_[k](rounds);
+      texts[k] = base64(deflates ? *detail::deflated(bytes) : bytes);
     });
     return texts;
   }
@@ -94,7 +94,7 @@ class SeriesList {
     return "\"n\":" + std::to_string(size) + ",\"at\":" + std::to_string(parts_.size());
   }
 
-  std::vector<std::function<std::string()>> parts_;
+  std::vector<std::function<std::string(bool)>> parts_;
 };
 
 // To half of this, coordinates of the curve may be rounded: 2^-50 of its size.
@@ -105,7 +105,7 @@ double step_of(std::span<const Point> points) {
   return size > 0 && std::isfinite(size) ? std::ldexp(1.0, std::ilogb(size) - 50) : 0;
 }
 
-std::string curve_json(const Line& line, bool exact, SeriesList& series) {
+std::string curve_json(const Line& line, SeriesList& series) {
   const std::span<const Point> points = line.curve.points;
   std::vector<std::uint32_t> ends;
   for (const std::uint32_t segment : line.exact) {
@@ -113,9 +113,9 @@ std::string curve_json(const Line& line, bool exact, SeriesList& series) {
     ends.push_back(segment + 1 < points.size() ? segment + 1 : 0);
   }
   std::sort(ends.begin(), ends.end());
-  const double step = exact || points.size() <= tiny_curve ? 0 : step_of(points);
-  return "{\"name\":" + json_string(line.name) + ",\"closed\":" + (line.curve.closed ? "true" : "false") +
-         ",\"exact\":" + (step == 0 ? "true," : "false,") + series.add(points, step, ends) + "}";
+  const double step = points.size() <= tiny_curve ? 0 : step_of(points);
+  return "{\"name\":" + json_string(line.name) + ",\"closed\":" + (line.curve.closed ? "true" : "false") + "," +
+         series.add(points, step, ends) + "}";
 }
 
 std::string areas_json(const Layer& layer, const RunFinder& finder, std::vector<Point>& pool, SeriesList& series) {
@@ -182,21 +182,24 @@ std::string without_markup(const std::string& json) {
   return text;
 }
 
+std::size_t size_of(const std::vector<std::string>& texts) {
+  std::size_t size = 0;
+  for (const std::string& text : texts) size += text.size();
+  return size;
+}
+
 }  // namespace
 
-PageData page_data(const Scene& scene, std::size_t exact_points) {
+PageData page_data(const Scene& scene, std::size_t max_size) {
   require_finite(scene);
   std::vector<std::span<const Point>> curves;
-  std::size_t points = 0;
   bool has_areas = false;
   for (const Layer& layer : scene.layers) {
     for (const Line& line : layer.lines) {
       curves.push_back(line.curve.points);
-      points += line.curve.points.size();
     }
     has_areas = has_areas || !layer.areas.empty();
   }
-  const bool exact = points <= exact_points;
   const RunFinder finder(has_areas ? curves : std::vector<std::span<const Point>>(curves.size()));
   SeriesList series;
   std::vector<Point> pool;
@@ -211,7 +214,7 @@ PageData page_data(const Scene& scene, std::size_t exact_points) {
     if (layer.kind == Layer::Kind::lines) {
       json += ",\"curves\":[";
       for (const Line& line : layer.lines) {
-        append_all(json, &line == layer.lines.data() ? "" : ",\n", curve_json(line, exact, series));
+        append_all(json, &line == layer.lines.data() ? "" : ",\n", curve_json(line, series));
       }
       json += "]";
     } else {
@@ -225,11 +228,13 @@ PageData page_data(const Scene& scene, std::size_t exact_points) {
     }
     json += "}";
   }
-  append_all(json, "],\n\"pool\":{", series.add(pool, 0, {}), "},\n\"deflated\":");
-  bool deflated = false;
+  append_all(json, "],\n\"pool\":{", series.add(pool, 0, {}), "}");
+  const bool deflates = detail::deflated("").has_value();
   PageData data;
-  data.series = series.written(deflated);
-  json += deflated ? "true}" : "false}";
+  data.series = series.written(deflates, false);
+  const bool rounds = size_of(data.series) > max_size;
+  if (rounds) data.series = series.written(deflates, true);
+  append_all(json, ",\n\"deflated\":", deflates ? "true" : "false", ",\"rounded\":", rounds ? "true}" : "false}");
   data.json = without_markup(json);
   return data;
 }

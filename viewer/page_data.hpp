@@ -17,14 +17,16 @@ struct PageData {
 ///
 ///   title, notes   texts
 ///   deflated       whether series are in the form of zlib
+///   rounded        whether points of long curves are rounded away from crossings
 ///   layers         kind, name, one, colour, width, shown, and by kind
-///     lines        curves: name, closed, exact, n, at; perhaps iterates
+///     lines        curves: name, closed, n, at; perhaps iterates
 ///     areas        names, columns, n, rings (of each area), runs (of each ring), curve, first, last (of each run)
 ///     dots         names, columns, points: n, at
 ///   pool           n, at: points of areas that are on no curve; as a curve it has the number after the last one
 ///
-/// "at" is the number of the first part of a series; parts have 65536 values, and of points those of x and y alternate.
-/// Scenes of at most `exact_points` points keep all of them exactly.
-[[nodiscard]] PageData page_data(const Scene& scene, std::size_t exact_points);
+/// "at" is the number of the first part of a series; parts have 65536 values or points. Where the series of exact
+/// points take more than `max_size` bytes, points are rounded to 2^-50 of the size of their curve, but not those at
+/// crossings nor those of short curves.
+[[nodiscard]] PageData page_data(const Scene& scene, std::size_t max_size);
 
 }  // namespace lober::viewer

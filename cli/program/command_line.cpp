@@ -115,7 +115,8 @@ void add_periodic_option(OptionParser& parser, Periods& periods) {
           "--periodic", [&periods](const std::string& text) { take_period_option(text, periods); },
           "The period of a coordinate: x=1, y=360 or x=2pi. Curves that were stored modulo it are followed across the "
           "seam, and the second curve is moved by whole periods to the first. May be given for both coordinates.")
-      .value("x=PERIOD");
+      .value("x=PERIOD")
+      .repeatable();
 }
 
 void add_curve_arguments(OptionParser& parser, std::array<std::string, 2>& curves, Periods& periods) {

@@ -14,6 +14,8 @@ CurvesReport run_on_curves(const std::string& operation, const std::array<std::s
   const operations::Operation& entry = operations::named(operation);
   const operations::Options options = checked_options(entry, settings);
   CurvesReport report;
+  report.specs = curves;
+  report.periods = periods;
   progress.phase("reading", 0, 0.25);
   const detail::Stopwatch read_watch;
   double points = 0;
@@ -62,9 +64,14 @@ void write_curves_json(const std::string& path, std::string_view command, const 
                        const std::function<void(detail::OutputFile&)>& more) {
   const detail::Stopwatch watch;
   Json inputs = Json::array();
-  for (std::size_t k = 0; k < 2; ++k) inputs.push_back(input_json(report.inputs[k], areas[k], orientations[k]));
+  for (std::size_t k = 0; k < 2; ++k) {
+    inputs.push_back(input_json(report.inputs[k], areas[k], orientations[k]));
+    add_spec(inputs.back(), report.inputs[k], report.specs[k]);
+  }
+  std::vector<std::pair<std::string, Json>> members{{"inputs", std::move(inputs)}};
+  if (report.periods.any()) members.emplace_back("periodic", periods_json(report.periods));
   write_outcome_json(
-      path, command, {{"inputs", std::move(inputs)}}, operations::named(operation), report.outcome,
+      path, command, members, operations::named(operation), report.outcome,
       [&] {
         Json seconds{{"read", report.read_seconds}, {"index", report.index_seconds}};
         seconds.update(engine);

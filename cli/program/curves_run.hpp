@@ -20,6 +20,8 @@ namespace lober::cli {
 /// The curves that were read, and the result of the operation.
 struct CurvesReport {
   std::array<NamedCurve, 2> inputs;
+  std::array<std::string, 2> specs;  ///< names of the curves on the command line
+  Periods periods;
   operations::Outcome outcome;
   double read_seconds = 0, index_seconds = 0, write_seconds = 0;
 };

@@ -16,6 +16,7 @@
 #include "cli/report/outcome_json.hpp"
 #include "cli/report/outcome_table.hpp"
 #include "cli/report/table.hpp"
+#include "cli/view/page_output.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/base/error.hpp"
 #include "lober/base/threads.hpp"
@@ -38,7 +39,7 @@ std::string argument_name(const operations::InputSpec& input) {
 struct OperationRequest {
   SystemRequest system;
   std::deque<std::string> files;  // in the order of the inputs; in place, because they are parsed into
-  std::string output, json, format;
+  std::string output, json, html, format;
   Periods periods;
   std::vector<operations::OptionSetting> settings;
   int threads = 0;
@@ -71,7 +72,7 @@ OperationInputs read_inputs(const operations::Operation& operation, const Operat
   const auto files = static_cast<std::size_t>(
       std::count_if(request.files.begin(), request.files.end(), [](const std::string& path) { return !path.empty(); }));
   if (files != 0) progress.phase("reading", 0, reading_share);
-  Json names = Json::array();
+  Json names = Json::array(), hashes = Json::array();
   auto file = request.files.begin();
   for (const operations::InputSpec& spec : operation.inputs) {
     if (spec.kind == InputKind::system) {
@@ -83,17 +84,22 @@ OperationInputs read_inputs(const operations::Operation& operation, const Operat
     const std::string& path = *file++;
     if (path.empty()) continue;
     progress.file(read.curves.size(), files);
-    Curve& curve =
-        read.curves.emplace_back(read_curve(path, is_closed(spec.kind, options), {.periods = request.periods})).curve;
+    read.curves.push_back(read_curve(path, is_closed(spec.kind, options), {.periods = request.periods}));
+    Curve& curve = read.curves.back().curve;
     if (read.curves.size() > 1) move_near(curve.points, read.curves.front().curve.points, request.periods);
     names.push_back(path);
+    hashes.push_back(read.curves.back().sha256);
     if (spec.kind == InputKind::points) {
       read.inputs.emplace_back(std::span<const Point>(curve.points));
     } else {
       read.inputs.emplace_back(operations::CurveInput{curve, path});
     }
   }
-  if (!names.empty()) read.members.emplace_back("inputs", std::move(names));
+  if (!names.empty()) {
+    read.members.emplace_back("inputs", std::move(names));
+    read.members.emplace_back("sha256", std::move(hashes));
+  }
+  if (request.periods.any()) read.members.emplace_back("periodic", periods_json(request.periods));
   return read;
 }
 
@@ -112,7 +118,8 @@ void run(const operations::Operation& operation, const OperationRequest& request
     if (!file.empty()) named.push_back(file);
   }
   for (const std::string& file : files_of_system(request.system.name)) named.push_back(file);
-  const std::vector<Output> outputs = checked_outputs({{"-o", request.output}, {"--json", request.json}}, named);
+  const std::vector<Output> outputs =
+      checked_outputs({{"-o", request.output}, {"--json", request.json}, {"--html", request.html}}, named);
   if (!request.output.empty()) (void)curve_format(request.output, request.format, false);
   const operations::Options options = checked_options(operation, request.settings);
   OperationInputs read;
@@ -139,6 +146,9 @@ void run(const operations::Operation& operation, const OperationRequest& request
         request.output, std::get<std::vector<Point>>(curve_of_result(operation)->get(outcome.value.get())),
         {.format = request.format,
          .notes = notes_of(command_name(operation), outcome, notes_on(read.curves), system_in(read.inputs))});
+  }
+  if (!request.html.empty()) {
+    write_page(request.html, command_name(operation), operation, outcome, read.inputs, notes_on(read.curves));
   }
   if (!request.json.empty()) {
     write_outcome_json(request.json, command_name(operation), read.members, operation, outcome, [&] {
@@ -194,6 +204,7 @@ void run_operation(const operations::Operation& operation, const std::vector<std
   if (!request.files.empty()) add_periodic_option(parser, request.periods);
   if (curve_of_result(operation) != nullptr) add_points_option(parser, request.output, request.format, false);
   add_json_option(parser, request.json);
+  if (has_page(operation)) add_html_option(parser, request.html);
   add_table_option(parser);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return;

@@ -129,6 +129,10 @@ Option Option::count(int least, int most) {
   option_->expected(least, most);
   return *this;
 }
+Option Option::repeatable() {
+  option_->trigger_on_parse();
+  return *this;
+}
 Option Option::comma_separated() {
   option_->delimiter(',');
   return *this;

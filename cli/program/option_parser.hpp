@@ -32,6 +32,7 @@ class Option {
   Option excludes(Option other);
   Option count(int least, int most);  ///< number of values
   Option count(int exactly) { return count(exactly, exactly); }
+  Option repeatable();  ///< in add_call: the function is called for each value
   Option comma_separated();
   // These three add the range to the help.
   Option positive();

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/files/curve_spec.hpp"
 #include "lober/base/version.hpp"
 
 namespace lober::cli {
@@ -22,6 +23,17 @@ Json input_json(const NamedCurve& input, double area, Orientation orientation) {
               {"area", orientation == Orientation::clockwise ? -area : area},
               {"orientation", name(orientation)}};
   if (!input.remark.empty()) object["remark"] = input.remark;
+  return object;
+}
+
+void add_spec(Json& input, const NamedCurve& curve, const std::string& spec) {
+  if (!curve.group.empty() || !detail::split_spec(spec).columns.empty()) input["spec"] = spec;
+}
+
+Json periods_json(const Periods& periods) {
+  Json object = Json::object();
+  if (periods.x != 0) object["x"] = periods.x;
+  if (periods.y != 0) object["y"] = periods.y;
   return object;
 }
 

@@ -120,6 +120,8 @@ void read_inputs(const TangleRequest& request, Progress& progress, TangleReport&
                       "; alone it has to have two, U and S");
     }
   }
+  report.specs = specs;
+  report.periods = request.periods;
   move_near(report.inputs[1].curve.points, report.inputs[0].curve.points, request.periods);
   require_same_columns(report.inputs[0].curve, report.inputs[1].curve);
   report.reversed = request.reverse;

@@ -10,11 +10,13 @@ namespace {
 Json manifold_json(const TangleReport& report, std::size_t k) {
   const NamedCurve& input = report.inputs[k];
   if (report.origin) return {{"grown", input.file}, {"points", input.curve.points.size()}};
-  return {{"file", input.file},
-          {"zone", input.zone},
-          {"sha256", input.sha256},
-          {"points", input.curve.points.size()},
-          {"reversed", report.reversed[k]}};
+  Json object{{"file", input.file},
+              {"zone", input.zone},
+              {"sha256", input.sha256},
+              {"points", input.curve.points.size()},
+              {"reversed", report.reversed[k]}};
+  add_spec(object, input, report.specs[k]);
+  return object;
 }
 
 }  // namespace
@@ -23,6 +25,7 @@ void write_tangle_json(const std::string& path, TangleReport& report, const std:
   const detail::Stopwatch watch;
   std::vector<std::pair<std::string, Json>> inputs{
       {"inputs", Json::array({manifold_json(report, 0), manifold_json(report, 1)})}};
+  if (report.periods.any()) inputs.emplace_back("periodic", periods_json(report.periods));
   if (report.origin) inputs.emplace_back("system", system_json(*report.origin->system, report.origin->integration));
   write_outcome_json(path, "tangle", inputs, report.operation(), report.outcome, [&] {
     const operations::CurveTangle& found = report.result();

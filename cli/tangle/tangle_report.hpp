@@ -16,7 +16,9 @@ namespace lober::cli {
 
 struct TangleReport {
   std::array<NamedCurve, 2> inputs;  ///< U and S
-  std::array<bool, 2> reversed{};    ///< turned round after reading: positions speak of the curve as turned
+  std::array<std::string, 2> specs;  ///< names of curves of files on the command line
+  Periods periods;
+  std::array<bool, 2> reversed{};  ///< turned round after reading: positions speak of the curve as turned
   std::optional<operations::SystemInput> origin{};  ///< system of manifolds grown from equations (`tangle --system`)
   operations::Outcome outcome;                      ///< outcome of tangle or manifold_tangle
   double read_seconds = 0, write_seconds = 0;

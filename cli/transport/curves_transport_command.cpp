@@ -9,10 +9,12 @@
 #include "cli/program/progress.hpp"
 #include "cli/program/table_options.hpp"
 #include "cli/report/agreement_report.hpp"
+#include "cli/report/curve_file.hpp"
 #include "cli/report/outcome_json.hpp"
 #include "cli/report/table.hpp"
 #include "cli/tangle/tangle_report.hpp"
 #include "cli/transport/transport_report.hpp"
+#include "cli/view/page_output.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "lober/base/error.hpp"
 #include "lober/base/threads.hpp"
@@ -24,20 +26,28 @@ struct CurvesTransportRequest {
   std::vector<std::string> files;
   std::array<bool, 2> reverse{};
   std::vector<operations::OptionSetting> settings;
-  std::string json;
+  std::string json, html;
   int threads = 0;
 };
 
-Json inputs_json(const CurvesTransportReport& report) {
+Json inputs_json(const CurvesTransportReport& report, const std::array<std::string, 2>& specs,
+                 const std::array<bool, 2>& reversed) {
   Json inputs = Json::array();
-  for (const NamedCurve& input : report.inputs)
-    inputs.push_back({{"file", spec_of(input)}, {"points", input.curve.points.size()}});
+  for (std::size_t k = 0; k < 2; ++k) {
+    const NamedCurve& input = report.inputs[k];
+    inputs.push_back({{"file", spec_of(input)},
+                      {"points", input.curve.points.size()},
+                      {"sha256", input.sha256},
+                      {"reversed", reversed[k]}});
+    add_spec(inputs.back(), input, specs[k]);
+  }
   return inputs;
 }
 
 void run(const CurvesTransportRequest& request) {
   const detail::Stopwatch watch;
-  const std::vector<Output> outputs = checked_outputs({{"--json", request.json}}, request.files);
+  const std::vector<Output> outputs =
+      checked_outputs({{"--json", request.json}, {"--html", request.html}}, request.files);
   const operations::Operation& operation = operations::named("curve_transport");
   const operations::Options options = checked_options(operation, request.settings);
   std::array<std::string, 2> specs{request.files[0] + "#0", request.files[0] + "#1"};
@@ -63,8 +73,11 @@ void run(const CurvesTransportRequest& request) {
     with_names_of(report.inputs[0], report.inputs[1],
                   [&] { report.outcome = operation.run(inputs, options, context); });
     for (const std::string& remark : report.outcome.remarks) log_warning("warning: " + remark);
+    if (!request.html.empty())
+      write_page(request.html, "transport", operation, report.outcome, inputs, notes_on(report.inputs));
     if (!request.json.empty()) {
-      write_outcome_json(request.json, "transport", {{"inputs", inputs_json(report)}}, operation, report.outcome, [&] {
+      const Json files = inputs_json(report, specs, request.reverse);
+      write_outcome_json(request.json, "transport", {{"inputs", files}}, operation, report.outcome, [&] {
         return Json{{"total", watch.seconds()}};
       });
     }
@@ -105,6 +118,7 @@ void run_curves_transport(const std::vector<std::string>& arguments) {
                           .value("X,Y");
   add_reverse_option(parser, request.reverse);
   add_json_option(parser, request.json);
+  add_html_option(parser, request.html);
   add_table_option(parser);
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return;

@@ -33,6 +33,20 @@ void add_origin(viewer::Scene& scene, std::string_view command, const operations
   add_lines(scene, agreement_text(outcome.agreement));
 }
 
+// The tangle of the same curves, by the options that both operations have.
+operations::Outcome tangle_of_transport(const operations::Outcome& transport,
+                                        const std::vector<operations::Input>& inputs) {
+  const operations::Operation& operation = operations::named("tangle");
+  std::vector<operations::OptionSetting> settings{{"smooth", true}};
+  for (const operations::OptionSetting& setting : transport.settings()) {
+    if (std::any_of(operation.options.begin(), operation.options.end(),
+                    [&](const operations::OptionSpec& spec) { return spec.is_for(setting.key); })) {
+      settings.push_back(setting);
+    }
+  }
+  return operation.run(inputs, operations::Options(operation.options, settings), {});
+}
+
 }  // namespace
 
 Option add_html_option(OptionParser& parser, std::string& path) {
@@ -49,6 +63,28 @@ void write_page(const std::string& path, const CurvesReport& report) {
                                                         report.inputs[0].curve, report.inputs[1].curve)
                                 : viewer::overlay_scene(report.outcome.as<operations::CurveOverlay>());
   add_origin(scene, "overlay", report.outcome, notes_on(report.inputs));
+  viewer::write_page(path, scene);
+}
+
+bool has_page(const operations::Operation& operation) {
+  return operation.name == "regions" || operation.name == "curve_transport";
+}
+
+void write_page(const std::string& path, const std::string& command, const operations::Operation& operation,
+                const operations::Outcome& outcome, const std::vector<operations::Input>& inputs,
+                const std::vector<std::string>& notes) {
+  viewer::Scene scene;
+  operations::Outcome tangle;  // which the scene refers to
+  if (operation.name == "regions") {
+    const auto curve = [&](std::size_t k) {
+      return k < inputs.size() ? std::get<operations::CurveInput>(inputs[k]).curve : CurveView{};
+    };
+    scene = viewer::regions_scene(outcome.as<operations::CurveRegions>(), curve(0), curve(1));
+  } else {
+    tangle = tangle_of_transport(outcome, inputs);
+    scene = viewer::transport_scene(tangle.as<operations::CurveTangle>(), outcome.as<operations::CurveTransport>());
+  }
+  add_origin(scene, command, outcome, notes);
   viewer::write_page(path, scene);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cli/escape/escape_report.hpp"
 #include "cli/program/curves_run.hpp"
@@ -24,5 +25,12 @@ void write_page(const std::string& path, const TransportReport& report);
 void write_page(const std::string& path, const EscapeReport& report);
 /// Writes the page of a manifold that was grown.
 void write_page(const std::string& path, const System& system, const operations::Outcome& grown);
+
+/// Whether an operation on curves that is a command by itself has a page: regions and curve_transport.
+[[nodiscard]] bool has_page(const operations::Operation& operation);
+/// Writes its page. The tangle of transport is computed once more, as the result has areas only.
+void write_page(const std::string& path, const std::string& command, const operations::Operation& operation,
+                const operations::Outcome& outcome, const std::vector<operations::Input>& inputs,
+                const std::vector<std::string>& notes);
 
 }  // namespace lober::cli

@@ -9,6 +9,7 @@
 #include "cli/program/table_options.hpp"
 #include "cli/report/json.hpp"
 #include "engine/base/text.hpp"
+#include "engine/files/curve_spec.hpp"
 #include "lober/base/error.hpp"
 #include "lober/curve/files.hpp"
 
@@ -19,6 +20,10 @@ namespace {
 const operations::Operation* repeated_operation(const std::string& command, const Json& result) {
   if (command == "overlay") return &operations::named(result.contains("rule") ? "regions" : "overlay");
   if (command == "tangle") return &operations::named(result.contains("system") ? "manifold_tangle" : "tangle");
+  if (command == "regions") return &operations::named("regions");
+  if (command == "curve-transport" || (command == "transport" && result.contains("inputs"))) {
+    return &operations::named("curve_transport");
+  }
   for (const char* const name : {"transport", "escape", "grow"}) {
     if (command == name && result.contains("system")) return &operations::named(name);
   }
@@ -61,7 +66,7 @@ std::map<std::string, Json> connection_of(const Json& system) {
 
 void add_repeated_options(std::vector<std::string>& arguments, const operations::Operation& operation,
                           const Json& options, const std::string& path, const std::map<std::string, Json>& known,
-                          bool from_curves) {
+                          bool bip_is_point) {
   for (const auto& [key, value] : options.items()) {
     const auto spec = std::find_if(operation.options.begin(), operation.options.end(),
                                    [&, name = key](const auto& one) { return one.is_for(name); });
@@ -76,23 +81,34 @@ void add_repeated_options(std::vector<std::string>& arguments, const operations:
       arguments.push_back((on ? "--" : "--no-") + option_name(key).substr(2));
     } else if (key == "rule" || spec->optional || argument_text(value) != operations::to_string(spec->fallback)) {
       const std::string bip_near = "bip_near";
-      arguments.push_back(from_curves && key == bip_near ? "--bip=" + argument_text(value)
-                                                         : repeated_argument(key, value));
+      arguments.push_back(bip_is_point && key == bip_near ? "--bip=" + argument_text(value)
+                                                          : repeated_argument(key, value));
     }
   }
 }
 
-void add_repeated_curves(std::vector<std::string>& arguments, const Json& inputs, const std::string& path) {
+// The names of curves, if their files are as they were.
+void add_repeated_curves(std::vector<std::string>& arguments, const Json& result, const std::string& path) {
   std::string reversed;
-  for (const Json& input : inputs) {
-    const std::string file = input.at("file").get<std::string>();
-    if (sha256_of_file(file) != input.at("sha256").get<std::string>()) {
+  const Json& inputs = result.at("inputs");
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    const Json& input = inputs[k];
+    const bool is_name = input.is_string();  // where the command is an operation of the table
+    std::string name = is_name ? input.get<std::string>() : input.value("spec", input.at("file").get<std::string>());
+    if (!is_name && input.contains("zone") && !input.contains("spec")) name += "#" + input.at("zone").dump();
+    const std::string file = detail::file_of_curve(name);
+    const Json& hash = is_name ? result.at("sha256").at(k) : input.at("sha256");
+    if (sha256_of_file(file) != hash.get<std::string>()) {
       throw DataError(file + ": is not as it was when " + path + " was computed; run the command again");
     }
-    arguments.push_back(file + "#" + input.at("zone").dump());
-    if (input.value("reversed", false)) reversed += arguments.size() == 1 ? "u" : "s";
+    arguments.push_back(name.starts_with('-') ? "./" + name : name);  // no option
+    if (!is_name && input.value("reversed", false)) reversed += k == 0 ? "u" : "s";
   }
   if (!reversed.empty()) arguments.push_back("--reverse=" + (reversed == "us" ? "both" : reversed));
+  const Json periods = result.value("periodic", Json::object());
+  for (const auto& [name, period] : periods.items()) {
+    arguments.push_back("--periodic=" + name + "=" + argument_text(period));
+  }
 }
 
 // A parameter that is an option of the command too, as the energy of an escape, is given once.
@@ -111,17 +127,19 @@ RepeatedResult repeated(const Json& result, const std::string& path) {
   const operations::Operation* const operation = repeated_operation(run.command, result);
   if (operation == nullptr) {
     throw DataError(path + ": is a result of lober " + run.command +
-                    ", which has no page; there are pages of overlay, tangle, transport, escape and grow");
+                    ", which has no page; there are pages of overlay, regions, tangle, transport, escape and grow");
   }
   const bool from_curves = !result.contains("system");
   std::map<std::string, Json> known;
   if (from_curves) {
-    add_repeated_curves(run.arguments, result.at("inputs"), path);
+    if (run.command == "transport") run.arguments.emplace_back("--manifolds");
+    add_repeated_curves(run.arguments, result, path);
   } else {
     add_repeated_system(run.arguments, result.at("system"), result.at("options"));
     if (run.command != "escape") known = connection_of(result.at("system"));
   }
-  add_repeated_options(run.arguments, *operation, result.at("options"), path, known, from_curves);
+  const bool bip_is_point = from_curves && run.command != "curve-transport";  // --bip, which takes a number there
+  add_repeated_options(run.arguments, *operation, result.at("options"), path, known, bip_is_point);
   return run;
 }
 

@@ -39,8 +39,8 @@ std::optional<ViewRequest> parse_view(const std::vector<std::string>& arguments)
   parser.add_example("lober view examples/manifolds.dat#0 -o u.html", "one of them");
   parser
       .add("RESULT|CURVE", request.inputs,
-           "A result of overlay, tangle, transport, escape or grow, written by --json; or curves: FILE, all curves of "
-           "it, or FILE#ZONE, one of them.")
+           "A result of overlay, regions, tangle, transport, escape or grow, written by --json; or curves: FILE, all "
+           "curves of it, or FILE#ZONE, one of them.")
       .required();
   parser.add("-o,--output", request.output, "Write the page to FILE.").value("FILE").required();
   parser.add_flag("--closed", request.closed,

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The commands that write pages, without a browser: command_test.py LOBER."""
 
+import json
 import os
 import shutil
 import subprocess
@@ -25,7 +26,22 @@ def content(path):
 
 def results_are_repeated():
     """The page of a result is the one that its own run writes."""
+    with open("table.csv", "w") as file:
+        file.write("id,lon,lat\n")
+        for name, west in (("one", 350.5), ("two", 355.25)):
+            corners = ((0, 0), (10, 0), (10, 5), (0, 5))
+            file.writelines(f"{name},{(west + x) % 360},{52 + y}\n" for x, y in corners)
+    shutil.copy("manifolds.dat", "odd: name#1.dat")
     runs = {
+        "columns": ["table.csv:lon,lat,by=id#one", "table.csv:lon,lat,by=id#two", "--periodic=x=360"],
+        "numbers": ["table.csv:2,3,by=1#0", "table.csv:2,3,by=1#1", "--periodic=x=360", "--periodic=y=180"],
+        "names": ["odd: name#1.dat#0", "odd: name#1.dat#1"],
+        "bip_near": ["manifolds.dat#0", "manifolds.dat#1", "--bip=1,1.5"],
+        "manifolds": ["--manifolds", "manifolds.dat", "--iterates=2"],
+        "manifolds_of_files": ["--manifolds", "manifolds.dat#0", "manifolds.dat#1", "--bip=-1.2,0.7"],
+        "curve-transport": ["manifolds.dat#0", "manifolds.dat#1", "--iterates=3"],
+        "regions": ["resonance.dat", "resonance_image.dat", "--rule=evenodd"],
+        "regions_of_one": ["resonance.dat"],
         "overlay": ["resonance.dat", "resonance_image.dat"],
         "rule": ["resonance.dat", "resonance_image.dat", "--rule=evenodd"],
         "classes": ["resonance.dat", "resonance_image.dat", "--classes", "--no-discretisation"],
@@ -35,7 +51,9 @@ def results_are_repeated():
         "escape": ["capsize", "--energy=0.253", "--crossings=1"],
         "grow": ["henon", "--stable", "--length=3"],
     }
-    commands = {"rule": "overlay", "classes": "overlay", "system": "tangle"}
+    commands = {"rule": "overlay", "classes": "overlay", "system": "tangle", "columns": "overlay", "numbers": "overlay",
+                "names": "tangle", "bip_near": "tangle", "manifolds": "transport", "manifolds_of_files": "transport",
+                "regions_of_one": "regions"}
     for name, arguments in runs.items():
         run(commands.get(name, name), *arguments, "--html", "a.html", "--json", "a.json")
         run("view", "a.json", "-o", "b.html")
@@ -49,11 +67,23 @@ def what_cannot_be_shown_is_refused():
     with open("resonance.dat", "a") as file:
         file.write("# changed\n")
     run("view", "o.json", "-o", "c.html", status=1, says="is not as it was when o.json was computed")
+    run("regions", "resonance_image.dat", "--json", "r.json")
+    with open("resonance_image.dat", "a") as file:
+        file.write("# changed\n")
+    run("view", "r.json", "-o", "c.html", status=1, says="is not as it was when r.json was computed")
     run("view", "nothing.dat", "-o", "c.html", status=1, says="No such file")
     run("view", "manifolds.dat", "-o", "c.svg", status=2, says=".html")
     run("view", "manifolds.dat", "-o", "manifolds.dat", status=2)
     run("view", "manifolds.dat", status=2, says="--output is missing")
     run("transport", "ovp", "--sweep", "eps=0.1:0.2:0.1", "--html", "c.html", status=2, says="cannot be given together")
+    shutil.copy("manifolds.dat", "--json=stolen.json")  # a file whose name could be taken for an option
+    run("regions", "./--json=stolen.json#0", "--json", "dash.json")
+    result = json.loads(content("dash.json"))
+    result["inputs"] = ["--json=stolen.json#0"]
+    with open("dash.json", "w") as file:
+        file.write(json.dumps(result))
+    run("view", "dash.json", "-o", "dash.html")
+    assert not os.path.exists("stolen.json")
     with open("bad.json", "w") as file:
         file.write('{"program": {}, "command": "overlay", "inputs": 3, "options": {}}')
     run("view", "bad.json", "-o", "c.html", status=1, says="cannot be read as a result of lober")

@@ -6,6 +6,7 @@
 
 #include "lober/base/error.hpp"
 #include "viewer/base64.hpp"
+#include "viewer/page_data.hpp"
 
 namespace lober::viewer {
 namespace {
@@ -40,6 +41,22 @@ TEST(Page, TextsCannotBecomeMarkup) {
 
 TEST(Page, AnEmptySceneIsAPage) {
   EXPECT_NE(page_of(Scene{}).find("</html>"), std::string::npos);
+}
+
+TEST(Page, PointsAreRoundedWhereExactOnesWouldBeTooManyBytes) {
+  std::vector<Point> points;
+  for (int k = 0; k < 10'000; ++k) points.push_back({std::cos(1e-3 * k), std::sin(1e-3 * k)});
+  Scene scene;
+  Layer layer;
+  layer.lines = {{"line", {points, false}}};
+  scene.layers = {layer};
+  const PageData exact = page_data(scene, max_exact_size), rounded = page_data(scene, 10'000);
+  EXPECT_NE(exact.json.find("\"rounded\":false"), std::string::npos);
+  EXPECT_NE(rounded.json.find("\"rounded\":true"), std::string::npos);
+  EXPECT_LT(rounded.series.at(0).size(), exact.series.at(0).size());
+  layer.lines[0].curve.points = layer.lines[0].curve.points.first(1000);
+  scene.layers = {layer};
+  EXPECT_EQ(page_data(scene, 0).series.at(0), page_data(scene, max_exact_size).series.at(0)) << "short ones stay exact";
 }
 
 TEST(Page, CoordinatesHaveToBeFinite) {

@@ -1,5 +1,6 @@
 // The page of a batch: its jobs in a table, and heat maps of their numbers.
-import { gridOf, paintGrid, steps } from "./heat.js";
+import { fillHeads, filterOf } from "./columns.js";
+import { gridOf, paintGrid } from "./heat.js";
 import { byId, element, rounded } from "./text.js";
 
 const ROWS = 300; // that are shown at once; the filter finds others
@@ -21,7 +22,9 @@ function flat(value, name, into) {
 const jobs = batch.jobs.map((job) => flat(job, "", Object.create(null)));
 const names = [...new Set(jobs.flatMap(Object.keys))];
 const numeric = (name) => jobs.some((job) => typeof job[name] === "number");
-const varied = names.filter((name) => (name.startsWith("options.") || inputs.includes(name)) && steps(jobs.map((job) => job[name]).filter((value) => value !== undefined)).length > 1);
+const isGiven = (name) => name.startsWith("options.") || inputs.includes(name);
+const differs = (name) => new Set(jobs.map((job) => job[name]).filter((value) => value !== undefined)).size > 1;
+const varied = names.filter((name) => isGiven(name) && differs(name));
 const results = names.filter((name) => numeric(name) && !name.startsWith("options.") && name !== "job");
 
 // ---------------------------------------------------------------------------------- progress
@@ -29,62 +32,59 @@ const results = names.filter((name) => numeric(name) && !name.startsWith("option
 const all = batch.done + batch.failed + batch.missing;
 byId("progress").max = String(Math.max(all, 1));
 byId("progress").value = batch.done + batch.failed;
-byId("counts").textContent = `${batch.done} done, ${batch.failed} failed, ${batch.missing} to do` + (batch.missing > 0 ? "; write the page again and reload it to see more" : "");
+byId("counts").textContent = `${batch.done} done, ${batch.failed} failed, ${batch.missing} to do` +
+  (batch.missing > 0 ? "; write the page again and reload it to see more" : "");
 
 // ---------------------------------------------------------------------------------- the table
 
-const columns = ["job", "status", ...inputs.filter((name) => names.includes(name)), ...varied.filter((name) => !inputs.includes(name)), ...results, ...(names.includes("message") ? ["message"] : [])];
-const sort = { column: "job", down: false };
+const known = [...inputs, ...varied, ...results, "message"].filter((name) => names.includes(name));
+const columns = [...new Set(["job", "status", ...known])];
+const sort = { column: 0, down: false };
 let chosen = null;
 
 const label = (name) => name.replace(/^options\.(parameters\.)?/, "");
-const textOf = (name, value) => (typeof value === "number" ? rounded(value, 10) : value === undefined || value === null ? "" : String(inputs.includes(name) ? short(value) : value));
-
-function heads() {
-  byId("heads").replaceChildren(...columns.map((name) => {
-    const sorted = sort.column === name;
-    const button = element("button", { type: "button" }, label(name) + (sorted ? (sort.down ? " \u25be" : " \u25b4") : ""));
-    button.addEventListener("click", () => {
-      sort.down = sorted ? !sort.down : false;
-      sort.column = name;
-      heads();
-      rows();
-    });
-    return element("th", { scope: "col", "aria-sort": sorted ? (sort.down ? "descending" : "ascending") : "none" }, button);
-  }));
+function textOf(name, value) {
+  if (typeof value === "number") return rounded(value, 10);
+  return String((inputs.includes(name) ? short(value) : value) ?? "");
 }
 
-// Terms such as "c1>3" compare a column; others are part of any text of the row.
-function accepted() {
-  const tests = byId("filter").value.trim().split(/\s+/).filter(Boolean).map((term) => {
-    const [, name, sign, number] = /^(.+?)(<=|>=|<|>|=)([-+.\deE]+)$/.exec(term) ?? [];
-    const column = columns.find((one) => label(one) === name);
-    if (column && !Number.isNaN(Number(number))) {
-      const n = Number(number);
-      return (job) => ({ "<": job[column] < n, "<=": job[column] <= n, ">": job[column] > n, ">=": job[column] >= n, "=": job[column] === n })[sign];
-    }
-    const lower = term.toLowerCase();
-    return (job) => columns.some((one) => typeof job[one] === "string" && job[one].toLowerCase().includes(lower));
+function heads() {
+  fillHeads(columns.map(label), sort, (column) => {
+    sort.down = sort.column === column && !sort.down;
+    sort.column = column;
+    heads();
+    rows();
   });
-  return jobs.filter((job) => tests.every((test) => test(job)));
+}
+
+function accepted() {
+  const contains = (job, text) => columns.some((one) => typeof job[one] === "string" && job[one].toLowerCase().includes(text));
+  return jobs.filter(filterOf(columns.map(label), (job, column) => job[columns[column]], contains));
 }
 
 function rows() {
-  const list = accepted(), { column, down } = sort, sign = down ? -1 : 1;
-  const known = (job) => job[column] !== undefined && job[column] !== null;
-  list.sort((a, b) => known(b) - known(a) || sign * (a[column] < b[column] ? -1 : a[column] > b[column] ? 1 : 0));
+  const list = accepted(), column = columns[sort.column], sign = sort.down ? -1 : 1;
+  const isKnown = (job) => job[column] !== undefined && job[column] !== null;
+  list.sort((a, b) => isKnown(b) - isKnown(a) || sign * (a[column] < b[column] ? -1 : a[column] > b[column] ? 1 : 0));
   byId("body").replaceChildren(...list.slice(0, ROWS).map((job) => {
-    const row = element("tr", { className: job === chosen ? "chosen" : "", tabIndex: 0 }, ...columns.map((name) => element("td", { title: textOf(name, job[name]) }, textOf(name, job[name]))));
+    const texts = columns.map((name) => textOf(name, job[name]));
+    const row = element("tr", { className: job === chosen ? "chosen" : "", tabIndex: 0 },
+      ...texts.map((text) => element("td", { title: text }, text)));
     const choose = () => {
       chosen = job;
       rows();
       heat();
     };
     row.addEventListener("click", choose);
-    row.addEventListener("keydown", (event) => event.key === "Enter" && choose());
+    row.addEventListener("keydown", (event) => {
+      if (event.key !== "Enter") return;
+      choose();
+      byId("body").querySelector(".chosen").focus();
+    });
     return row;
   }));
-  byId("count").textContent = `${Math.min(list.length, ROWS)} of ${list.length} rows` + (list.length < jobs.length ? ` (of ${jobs.length})` : "");
+  byId("count").textContent = `${Math.min(list.length, ROWS)} of ${list.length} rows` +
+    (list.length < jobs.length ? ` (of ${jobs.length})` : "");
 }
 
 // ---------------------------------------------------------------------------------- the heat map
@@ -98,12 +98,18 @@ function cells() {
     const job = batch.jobs[jobs.indexOf(chosen ?? jobs.find((_, k) => batch.jobs[k].overlap_i?.length > 0))];
     byId("of").textContent = job ? `job ${job.job}: choose another one in the table` : "no overlaps are known";
     if (!job?.overlap_i) return [];
-    return job.overlap_i.flatMap((i, k) => [[i, job.overlap_j[k]], [job.overlap_j[k], i]].map(([x, y]) => ({ x, y, value: job.overlap_areas[k], text: `lobes ${i} and ${job.overlap_j[k]}` })));
+    return job.overlap_i.flatMap((i, k) => {
+      const j = job.overlap_j[k], about = { value: job.overlap_areas[k], text: `lobes ${i} and ${j}` };
+      return [{ x: i, y: j, ...about }, { x: j, y: i, ...about }];
+    });
   }
   const x = byId("x").value, y = byId("y").value, value = byId("value").value;
   byId("of").textContent = `${label(value)} over ${label(x)} (to the right) and ${label(y)} (upwards)`;
   return jobs.filter((job) => job[x] !== undefined && job[y] !== undefined && job[value] !== undefined)
-    .map((job) => ({ x: job[x], y: job[y], value: job[value], job, text: `${label(x)} ${textOf(x, job[x])}, ${label(y)} ${textOf(y, job[y])}` }));
+    .map((job) => {
+      const text = `${label(x)} ${textOf(x, job[x])}, ${label(y)} ${textOf(y, job[y])}`;
+      return { x: job[x], y: job[y], value: job[value], job, text };
+    });
 }
 
 function heat() {
@@ -114,7 +120,8 @@ function heat() {
   const context = canvas.getContext("2d");
   context.scale(ratio, ratio);
   const grid = gridOf(cells()), style = getComputedStyle(document.documentElement);
-  cellAt = paintGrid(context, grid, canvas.clientWidth, canvas.clientHeight, style.getPropertyValue("--panel").trim());
+  const [textX, textY] = ["x", "y"].map((id) => (value) => (byId("axes").hidden ? String(value) : textOf(byId(id).value, value)));
+  cellAt = paintGrid(context, grid, canvas, style, textX, textY);
   byId("range").textContent = grid.high >= grid.low ? `${rounded(grid.low)} (dark) to ${rounded(grid.high)} (light)` : "no values";
 }
 
@@ -132,7 +139,9 @@ byId("map").addEventListener("click", (event) => {
   chosen = cell.job;
   rows();
 });
-const kinds = [...(varied.length > 0 && results.length > 0 ? [["jobs", "numbers of jobs"]] : []), ...(overlaps ? [["lobes", "overlaps of lobes i and j"]] : [])];
+const kinds = [];
+if (varied.length > 0 && results.length > 0) kinds.push(["jobs", "numbers of jobs"]);
+if (overlaps) kinds.push(["lobes", "overlaps of lobes i and j"]);
 byId("kind").replaceChildren(...kinds.map(([value, text]) => element("option", { value }, text)));
 byId("x").replaceChildren(...options(varied));
 byId("y").replaceChildren(...options(varied));

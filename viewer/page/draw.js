@@ -1,12 +1,13 @@
 // What is seen of a scene, as paths with their styles: for the canvas and, the same, for SVG.
 import { LinePen, MARGIN, RingPen } from "./pen.js";
 import { layerShows } from "./scene.js";
+import { apart, smaller } from "./tree.js";
 
 const CHUNK = 1024; // segments of a path: longer ones take a canvas more time than they save
 const DOT_CELL = 4; // pixels between dots that are drawn
 
-// Gives { path, layer, fill } or { path, layer, stroke }; `newPath` makes an empty path, `step` is the smallest distance
-// of points in pixels.
+// Gives { path, layer }, to be filled, or stroked if `stroke` is true, or both if `selected` is; `newPath`
+// makes an empty path, `step` is the smallest distance of points in pixels.
 export function* drawings(scene, view, { iterate, selected }, newPath, step) {
   const frame = view.box(MARGIN);
   for (const layer of scene.layers) {
@@ -36,14 +37,12 @@ function* lines(layer, view, frame, iterate, newPath, step) {
       pen.open = false;
       pen.segments = 0;
     };
-    curve.walk(0, curve.points - 1, (level, node, boxes) => {
-      const at = 4 * node;
-      if (boxes[at] > frame[2] || boxes[at + 2] < frame[0] || boxes[at + 1] > frame[3] || boxes[at + 3] < frame[1]) {
+    curve.walk(0, curve.points - 1, (boxes, at, begin, end) => {
+      if (apart(boxes, at, frame)) {
         pen.up();
         return false;
       }
-      if (boxes[at + 2] - boxes[at] >= small || boxes[at + 3] - boxes[at + 1] >= small) return true;
-      const begin = curve.begin(level, node), end = curve.end(level, node);
+      if (!smaller(boxes, at, small)) return true;
       pen.to(view.px(x[begin]), view.py(y[begin]));
       pen.to(view.px(x[end]), view.py(y[end]));
       return false;
@@ -51,20 +50,23 @@ function* lines(layer, view, frame, iterate, newPath, step) {
       for (let k = begin; k <= end; ++k) pen.to(view.px(x[k]), view.py(y[k]));
       if (pen.segments > CHUNK) next();
     });
+    const whole = curve.levels[curve.top];
+    if (smaller(whole, 0, small) && !apart(whole, 0, frame)) { // a point, at this scale
+      pen.path.rect(view.px(x[0]) - layer.width, view.py(y[0]) - layer.width, 2 * layer.width, 2 * layer.width);
+    }
     finished.push(pen.path);
     for (const path of finished) yield { path, layer, stroke: true };
   }
 }
 
 function* areas(layer, view, frame, iterate, newPath, step) {
-  const fill = layer.kind === "areas";
+  const stroke = layer.kind === "outlines";
   const { boxes } = layer.areas;
   let path = newPath(), drawn = 0;
   const tiny = Math.max(1, step), cells = new Set(); // squares of this size, and those with areas smaller than that
   for (let k = 0; k < layer.areas.size; ++k) {
-    if (!layer.areas.meets(k, frame) || !layerShows(layer, k, iterate)) continue;
-    const width = (boxes[4 * k + 2] - boxes[4 * k]) * view.scale, height = (boxes[4 * k + 3] - boxes[4 * k + 1]) * view.scale;
-    if (width < tiny && height < tiny) {
+    if (apart(boxes, 4 * k, frame) || !layerShows(layer, k, iterate)) continue;
+    if (smaller(boxes, 4 * k, tiny / view.scale)) {
       const x = Math.floor(view.px(boxes[4 * k]) / tiny), y = Math.floor(view.py(boxes[4 * k + 3]) / tiny), cell = x * 65536 + y;
       if (cells.has(cell)) continue;
       cells.add(cell);
@@ -73,11 +75,11 @@ function* areas(layer, view, frame, iterate, newPath, step) {
       layer.areas.draw(k, view, frame, new RingPen(path, view.width, view.height, step));
     }
     if (++drawn % 256 === 0) {
-      yield { path, layer, fill, stroke: !fill };
+      yield { path, layer, stroke };
       path = newPath();
     }
   }
-  yield { path, layer, fill, stroke: !fill };
+  yield { path, layer, stroke };
 }
 
 function* dots(layer, view, frame, iterate, newPath) {
@@ -93,43 +95,30 @@ function* dots(layer, view, frame, iterate, newPath) {
     path.moveTo(x + layer.width, y);
     path.arc(x, y, layer.width, 0, 2 * Math.PI);
   };
-  dots.walk(0, dots.points - 1, (level, node, boxes) => {
-    const at = 4 * node;
-    if (boxes[at] > frame[2] || boxes[at + 2] < frame[0] || boxes[at + 1] > frame[3] || boxes[at + 3] < frame[1]) return false;
-    if (iterate !== null || boxes[at + 2] - boxes[at] >= small || boxes[at + 3] - boxes[at + 1] >= small) return true;
-    add(dots.begin(level, node));
+  dots.walk(0, dots.points - 1, (boxes, at, begin) => {
+    if (apart(boxes, at, frame)) return false;
+    if (iterate !== null || !smaller(boxes, at, small)) return true;
+    add(begin);
     return false;
   }, (begin, end) => {
     for (let k = begin; k <= end; ++k) add(k);
   });
-  yield { path, layer, fill: true, dots: true };
+  yield { path, layer };
 }
 
-export const AREA_OPACITY = 0.35;
+export const OPACITY = { lines: 1, areas: 0.35, outlines: 0.8, dots: 1 };
 
 // Draws on a canvas. `dark`: dots without a meaning of their own are light there.
 export function paint(context, scene, view, state, step, theme) {
   context.lineJoin = "round";
   const thin = step > 0.5; // lines of one pixel take a third of the time
-  for (const one of drawings(scene, view, state, () => new Path2D(), step)) {
-    const colour = colourOf(one.layer, theme);
-    if (one.selected) {
-      context.globalAlpha = 1;
-      context.fillStyle = context.strokeStyle = colour;
-      context.lineWidth = 3;
-      context.stroke(one.path);
-      context.globalAlpha = AREA_OPACITY;
-      context.fill(one.path);
-    } else if (one.stroke) {
-      context.globalAlpha = one.layer.kind === "outlines" ? 0.8 : 1;
-      context.strokeStyle = colour;
-      context.lineWidth = thin && one.layer.kind === "lines" ? 1 : one.layer.width;
-      context.stroke(one.path);
-    } else {
-      context.globalAlpha = one.dots ? 1 : AREA_OPACITY;
-      context.fillStyle = colour;
-      context.fill(one.path);
-    }
+  for (const { path, layer, stroke, selected } of drawings(scene, view, state, () => new Path2D(), step)) {
+    context.fillStyle = context.strokeStyle = colourOf(layer, theme);
+    context.lineWidth = selected ? 3 : thin && layer.kind === "lines" ? 1 : layer.width;
+    context.globalAlpha = selected ? 1 : OPACITY[layer.kind];
+    if (stroke || selected) context.stroke(path);
+    if (selected) context.globalAlpha = OPACITY.areas;
+    if (!stroke) context.fill(path);
   }
   context.globalAlpha = 1;
 }

@@ -1,6 +1,6 @@
 // The view as an SVG picture, and what is in it as comma-separated columns.
 import { axes } from "./axes.js";
-import { AREA_OPACITY, drawings } from "./draw.js";
+import { OPACITY, drawings } from "./draw.js";
 import { TextPath } from "./pen.js";
 import { boxOfThing, layerShows, nameOf, sizeOf } from "./scene.js";
 
@@ -15,21 +15,18 @@ export function svgOf(scene, view, state) {
   const { width, height } = view;
   let svg = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}">\n` +
     `<title>${escaped(scene.title)}</title>\n<rect width="100%" height="100%" fill="#ffffff"/>\n`;
-  for (const { path, layer, stroke, dots, selected } of drawings(scene, view, state, () => new TextPath(), SVG_STEP)) {
+  for (const { path, layer, stroke, selected } of drawings(scene, view, state, () => new TextPath(), SVG_STEP)) {
     if (path.text === "" || selected) continue;
-    const opacity = dots || layer.kind === "lines" ? 1 : stroke ? 0.8 : AREA_OPACITY;
     const style = stroke
-      ? `fill="none" stroke="${layer.colour}" stroke-width="${layer.width}" stroke-opacity="${opacity}" stroke-linejoin="round"`
-      : `fill="${layer.colour}" fill-opacity="${opacity}"`;
-    svg += `<path ${style} d="${path.text}"/>\n`;
+      ? `fill="none" stroke="${layer.colour}" stroke-width="${layer.width}" stroke-linejoin="round"`
+      : `fill="${layer.colour}"`;
+    svg += `<path ${style} opacity="${OPACITY[layer.kind]}" d="${path.text}"/>\n`;
   }
-  const { x, y, originX, originY } = axes(view);
-  const label = (text, px, py, anchor) => `<text x="${px.toFixed(1)}" y="${py.toFixed(1)}" text-anchor="${anchor}">${escaped(text)}</text>\n`;
   svg += `<g font-family="sans-serif" font-size="12" fill="#222222">\n`;
-  for (const { px, text } of x) if (px > 46 && px < width - 14) svg += label(text, px, height - 6, "middle");
-  for (const { px, text } of y) if (px > 20 && px < height - 22) svg += label(text, 5, px + 4, "start");
-  if (originX) svg += label(originX, width - 8, height - 24, "end");
-  if (originY) svg += label(originY, 5, 14, "start");
+  const anchors = { left: "start", center: "middle", right: "end" };
+  for (const { text, x, y, align } of axes(view).labels) {
+    svg += `<text x="${x.toFixed(1)}" y="${y.toFixed(1)}" text-anchor="${anchors[align]}">${escaped(text)}</text>\n`;
+  }
   return `${svg}</g>\n</svg>\n`;
 }
 

@@ -9,7 +9,7 @@ export function heatColour(part) {
 }
 
 // Different values in order: numbers by size, texts by the order in which they came.
-export function steps(values) {
+function steps(values) {
   const all = [...new Set(values)];
   return all.every((value) => typeof value === "number") ? all.sort((a, b) => a - b) : all;
 }
@@ -28,19 +28,36 @@ export function gridOf(cells) {
   return { columns, rows, low, high, at: (c, r) => at.get(c + r * columns.length) };
 }
 
-// Draws the grid, row 0 at the bottom; returns the function that gives the cell at a pixel.
-export function paintGrid(context, grid, width, height, ground) {
-  const { columns, rows, low, high } = grid;
-  context.fillStyle = ground;
+const LEFT = 52, BOTTOM = 20; // pixels of the labels
+
+// Draws the grid, row 0 at the bottom, and what `textX` and `textY` call as many steps as there is room for; returns the
+// function that gives the cell at a pixel.
+export function paintGrid(context, grid, canvas, style, textX, textY) {
+  const { columns, rows, low, high } = grid, { clientWidth: width, clientHeight: height } = canvas;
+  context.fillStyle = style.getPropertyValue("--panel").trim();
   context.fillRect(0, 0, width, height);
-  const across = width / columns.length, up = height / rows.length, gap = Math.min(across, up) > 8 ? 1 : 0;
+  const across = (width - LEFT) / columns.length, up = (height - BOTTOM) / rows.length;
+  const gap = Math.min(across, up) > 8 ? 1 : 0, left = (c) => LEFT + c * across, top = (r) => height - BOTTOM - (r + 1) * up;
   for (let r = 0; r < rows.length; ++r) {
     for (let c = 0; c < columns.length; ++c) {
       const cell = grid.at(c, r);
       if (!cell || !Number.isFinite(cell.value)) continue;
       context.fillStyle = heatColour(high > low ? (cell.value - low) / (high - low) : 0.5);
-      context.fillRect(c * across, height - (r + 1) * up, Math.ceil(across) - gap, Math.ceil(up) - gap);
+      context.fillRect(left(c), top(r), Math.ceil(across) - gap, Math.ceil(up) - gap);
     }
   }
-  return (px, py) => grid.at(Math.floor(px / across), Math.floor((height - py) / up));
+  context.fillStyle = style.getPropertyValue("--ink").trim();
+  context.font = "12px system-ui, sans-serif";
+  const label = (list, room, text, place) => {
+    const every = Math.ceil(list.length / Math.max(1, Math.floor(room)));
+    for (let k = 0; k < list.length; k += every) context.fillText(text(list[k]).slice(-8), ...place(k));
+  };
+  context.textAlign = "center";
+  label(columns, (width - LEFT) / 60, textX, (c) => [left(c + 0.5), height - 5]);
+  context.textAlign = "right";
+  label(rows, (height - BOTTOM) / 20, textY, (r) => [LEFT - 6, top(r) + up / 2 + 4]);
+  return (px, py) => {
+    if (px < LEFT || py > height - BOTTOM) return undefined;
+    return grid.at(Math.floor((px - LEFT) / across), Math.floor((height - BOTTOM - py) / up));
+  };
 }

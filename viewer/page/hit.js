@@ -1,33 +1,30 @@
 // What is at a pixel: the nearest dot, the nearest line, and the areas that contain it.
 import { layerShows } from "./scene.js";
+import { apart } from "./tree.js";
 
 const REACH = 8; // pixels
 
-// The nearest point of a curve within REACH of a pixel: its number and distance, or null.
-export function nearest(curve, view, px, py, segments = true) {
+// The nearest point of a curve within REACH of a pixel: its number and distance, or null. `place(x, y)` gives pixels
+// relative to that one.
+function nearest(curve, place, segments = true) {
   let best = REACH, point = -1;
-  const reach = () => best / view.scale;
-  const u = (px - view.width / 2) / view.scale, v = (view.height / 2 - py) / view.scale;
-  curve.walk(0, curve.points - 1, (level, node, boxes) => {
-    const at = 4 * node, limit = reach();
-    return boxes[at] - view.x - view.dx - u <= limit && boxes[at + 2] - view.x - view.dx - u >= -limit &&
-      boxes[at + 1] - view.y - view.dy - v <= limit && boxes[at + 3] - view.y - view.dy - v >= -limit;
+  curve.walk(0, curve.points - 1, (boxes, at) => {
+    const [left, low] = place(boxes[at], boxes[at + 1]), [right, high] = place(boxes[at + 2], boxes[at + 3]);
+    return left <= best && right >= -best && low <= best && high >= -best;
   }, (begin, end) => {
+    const nearer = (x, y, k) => {
+      const distance = Math.hypot(x, y);
+      if (distance >= best) return;
+      best = distance;
+      point = k;
+    };
     for (let k = begin; k <= end; ++k) {
-      const x = view.px(curve.x[k]) - px, y = view.py(curve.y[k]) - py;
-      const alone = Math.hypot(x, y);
-      if (alone < best) {
-        best = alone;
-        point = k;
-      }
+      const [x, y] = place(curve.x[k], curve.y[k]);
+      nearer(x, y, k);
       if (!segments || k === end) continue;
-      const dx = view.px(curve.x[k + 1]) - px - x, dy = view.py(curve.y[k + 1]) - py - y;
+      const [nextX, nextY] = place(curve.x[k + 1], curve.y[k + 1]), dx = nextX - x, dy = nextY - y;
       const t = Math.min(1, Math.max(0, -(x * dx + y * dy) / (dx * dx + dy * dy || 1)));
-      const distance = Math.hypot(x + t * dx, y + t * dy);
-      if (distance < best) {
-        best = distance;
-        point = t < 0.5 ? k : k + 1;
-      }
+      nearer(x + t * dx, y + t * dy, t < 0.5 ? k : k + 1);
     }
   });
   return point < 0 ? null : { point, distance: best };
@@ -35,25 +32,24 @@ export function nearest(curve, view, px, py, segments = true) {
 
 // All that is found, dots first: { layer, kind, index, curve }.
 export function hits(scene, view, iterate, px, py) {
-  const dots = [], lines = [], areas = [];
-  const u = (px - view.width / 2) / view.scale, v = (view.height / 2 - py) / view.scale;
+  const dots = [], lines = [], areas = [], place = (x, y) => [view.px(x) - px, py - view.py(y)];
   const [x, y] = view.at(px, py), slack = 2 / view.scale;
   for (const layer of scene.layers) {
     if (!layer.shown) continue;
     if (layer.kind === "dots") {
-      const found = nearest(layer.dots, view, px, py, false);
+      const found = nearest(layer.dots, place, false);
       if (found && layerShows(layer, found.point, iterate)) dots.push({ layer, index: found.point, ...found });
     } else if (layer.kind === "lines") {
       layer.curves.forEach((one, index) => {
         if (!layerShows(layer, index, iterate)) return;
-        const found = nearest(one.curve, view, px, py);
+        const found = nearest(one.curve, place);
         if (found) lines.push({ layer, index, ...found, point: found.point % Math.max(one.n, 1) });
       });
     } else if (layer.kind === "areas") {
       const box = [x - slack, y - slack, x + slack, y + slack];
       for (let k = 0; k < layer.areas.size; ++k) {
-        if (!layer.areas.meets(k, box) || !layerShows(layer, k, iterate)) continue;
-        if (layer.areas.winding(k, view, u, v) !== 0) areas.push({ layer, index: k });
+        if (apart(layer.areas.boxes, 4 * k, box) || !layerShows(layer, k, iterate)) continue;
+        if (layer.areas.winding(k, place) !== 0) areas.push({ layer, index: k });
       }
     }
   }

@@ -24,6 +24,7 @@ class Page {
     this.dark = matchMedia("(prefers-color-scheme: dark)");
     this.dark.addEventListener("change", () => this.restyle());
     this.step = 0.5; // pixels between points while the picture moves
+    this.scriptTime = 0; // milliseconds
     this.table = new Table({
       choose: (layer, index) => this.select({ layer, index }),
       zoom: (layer, index) => this.look(layer, index),
@@ -108,12 +109,13 @@ class Page {
       if (byId("in-view").checked) this.table.update();
     }, 250);
   }
-  // A canvas draws after the script has ended, so the time between frames tells how long they take.
+  // A canvas draws after the script has ended, so the time between frames tells how long they take; between frames that
+  // are far apart nothing may have moved, and that of the script is what is known.
   adapt(now) {
-    const took = now - this.lastFrame;
+    const between = now - this.lastFrame, took = between < 1000 ? between : this.scriptTime;
     this.lastFrame = now;
-    if (!(took < 1000)) return;
-    this.step = Math.min(8, Math.max(0.5, this.step * (took > SLOW ? 1.3 : took < SLOW / 2 ? 0.9 : 1)));
+    const factor = took > SLOW ? Math.min(3, Math.max(1.3, Math.sqrt(took / SLOW))) : took < SLOW / 2 ? 0.9 : 1;
+    this.step = Math.min(8, Math.max(0.5, this.step * factor));
   }
   redraw() {
     if (this.frame) return;
@@ -134,7 +136,7 @@ class Page {
     paintLabels();
     byId("zoom").textContent = `zoom ${Number(view.depth.toPrecision(3)).toLocaleString("en")}`;
     byId("end").hidden = !view.atEnd;
-    document.documentElement.dataset.frames = String(Number(document.documentElement.dataset.frames || 0) + 1);
+    this.scriptTime = performance.now() - begin;
   }
 
   say(text) {
@@ -155,7 +157,7 @@ class Page {
     this.canvas.focus({ preventScroll: true });
     if (this.measure.on) {
       const [exact] = hits(this.scene, this.view, this.state.iterate, px, py);
-      const source = exact && (exact.layer.kind === "dots" ? exact.layer.dots : exact.layer.kind === "lines" ? exact.layer.curves[exact.index].curve : null);
+      const source = exact?.layer.dots ?? exact?.layer.curves?.[exact.index].curve;
       this.measure.add(...(source ? [source.x[exact.point], source.y[exact.point]] : this.view.at(px, py)));
       this.say(this.measure.text);
       return this.redraw();
@@ -199,7 +201,7 @@ class Page {
     }
   }
   fromLink() {
-    const [x, y, scale, layers] = decodeURIComponent(location.hash.slice(1)).split(",");
+    const [x, y, scale, layers] = location.hash.slice(1).replaceAll(/%2c/gi, ",").split(",");
     if (!scale || !this.view.fromLink(Number(x), Number(y), Number(scale))) return;
     if (layers !== undefined) {
       const shown = layers.split(".");

@@ -2,17 +2,27 @@
 import { nameOf, sizeOf } from "./scene.js";
 import { byId, element, rounded, withBar } from "./text.js";
 
+// A name within a line: so short that the rest is seen, and without characters that would turn the rest round.
+function shortName(name) {
+  const plain = name.replace(/[\u202a-\u202e\u2066-\u2069]/g, "");
+  return plain.length > 60 ? `${plain.slice(0, 59)}\u2026` : plain;
+}
+
 // One line about a thing: its name, numbers with error bars, and the point of a curve.
 export function describe({ layer, index, point }) {
   if (layer.kind === "lines") {
     const one = layer.curves[index];
-    return `${one.name}: point ${point} of ${one.n} (${one.curve.x[point]}, ${one.curve.y[point]})`;
+    return `${shortName(one.name)}: point ${point} of ${one.n} (${one.curve.x[point]}, ${one.curve.y[point]})`;
   }
   const numbers = layer.columns
     .filter(({ values }) => Number.isFinite(values[index]))
     .map(({ name, values, bars }) => `${name} ${bars ? withBar(values[index], bars[index]) : rounded(values[index], 10)}`);
   const at = layer.kind === "dots" ? [`at (${layer.dots.x[index]}, ${layer.dots.y[index]})`] : [];
-  return `${nameOf(layer, index)}: ${[...numbers, ...at].join(", ")}`;
+  return `${shortName(nameOf(layer, index))}: ${[...numbers, ...at].join(", ")}`;
+}
+
+function pointsText(count) {
+  return `${count.toLocaleString("en")} ${count === 1 ? "point" : "points"}`;
 }
 
 export function fillLayers(scene, changed) {
@@ -26,17 +36,18 @@ export function fillLayers(scene, changed) {
     const swatch = element("span", { className: `swatch ${layer.kind}`, "aria-hidden": "true" });
     layer.swatch = swatch;
     const size = layer.kind === "lines"
-      ? `${layer.curves.reduce((sum, one) => sum + one.n, 0).toLocaleString("en")} points`
+      ? pointsText(layer.curves.reduce((sum, one) => sum + one.n, 0))
       : sizeOf(layer).toLocaleString("en");
-    return element("li", {}, element("label", {}, box, swatch, element("span", { className: "name" }, layer.name), element("span", { className: "size" }, size)));
+    const texts = [["name", layer.name], ["size", size]].map(([className, text]) => element("span", { className }, text));
+    return element("li", {}, element("label", {}, box, swatch, ...texts));
   }));
 }
 
 export function fillAbout(scene) {
-  const notes = [...scene.notes, `${scene.points.toLocaleString("en")} points, of curves and of corners between them.`];
-  const rounds = scene.layers.some((layer) => (layer.curves ?? []).some((one) => !one.exact));
-  notes.push(rounds
-    ? "Points near crossings are exact; others are rounded to 2^-50 of the size of their curve."
+  const notes = [...scene.notes, `${pointsText(scene.points)}, of curves and of corners between them.`];
+  notes.push(scene.rounded
+    ? "Points near crossings and of short curves are exact; exact ones of all curves would take more than 12 MB, so " +
+      "others are rounded to 2^-50 of the size of their curve."
     : "All points are exact, to the last bit.");
   byId("notes").replaceChildren(...notes.map((note) => element("li", {}, note)));
 }

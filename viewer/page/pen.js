@@ -3,35 +3,24 @@
 
 export const MARGIN = 64; // pixels beyond the frame that are still drawn
 
-// Which cells of the frame a line has been to, so that a tangle that fills them is not drawn a hundred times over.
-class Coverage {
-  constructor(width, height, cell) {
-    this.cell = cell;
-    this.columns = Math.ceil((width + 2 * MARGIN) / cell) + 1;
-    this.rows = Math.ceil((height + 2 * MARGIN) / cell) + 1;
-    this.marks = new Uint8Array(this.columns * this.rows);
+// `path` is a Path2D, or TextPath; points nearer than `step` pixels to the last one are left out.
+class Pen {
+  constructor(path, width, height, step) {
+    this.path = path;
+    this.step = step;
+    this.right = width + MARGIN;
+    this.bottom = height + MARGIN;
   }
-  // Marks the cell of a point in the frame; whether it was marked before.
-  mark(x, y) {
-    const at = Math.floor((y + MARGIN) / this.cell) * this.columns + Math.floor((x + MARGIN) / this.cell);
-    const before = this.marks[at];
-    this.marks[at] = 1;
-    return before === 1;
+  sees(x, y) {
+    return x >= -MARGIN && x <= this.right && y >= -MARGIN && y <= this.bottom;
   }
 }
 
-// Draws lines into a path (a Path2D, or the text of one for SVG). Points nearer than `step` to the last one are left out,
-// and short segments between cells of that size that the line has been to.
-export class LinePen {
-  constructor(path, width, height, step = 0.5) {
-    this.path = path;
-    this.coverage = new Coverage(width, height, step);
-    this.segments = 0; // that were drawn
-    this.right = width + MARGIN;
-    this.bottom = height + MARGIN;
-    this.step = step;
-    this.up();
-  }
+// Draws lines.
+export class LinePen extends Pen {
+  segments = 0; // that were drawn
+  down = false;
+
   up() {
     this.down = false;
   }
@@ -39,43 +28,26 @@ export class LinePen {
     if (!this.down) {
       this.down = true;
       this.open = false; // whether the path has this.x, this.y as its last point
-      this.seen = inside(x, y, this.right, this.bottom) && this.coverage.mark(x, y);
       this.x = x;
       this.y = y;
       return;
     }
-    const far = Math.abs(x - this.x) >= this.step || Math.abs(y - this.y) >= this.step;
-    if (!far) return;
-    const x0 = this.x, y0 = this.y;
+    if (Math.abs(x - this.x) < this.step && Math.abs(y - this.y) < this.step) return;
+    const x0 = this.x, y0 = this.y, within = this.sees(x0, y0) && this.sees(x, y);
+    const part = within ? [x0, y0, x, y] : cut(x0, y0, x, y, this.right, this.bottom);
     this.x = x;
     this.y = y;
-    if (inside(x0, y0, this.right, this.bottom) && inside(x, y, this.right, this.bottom)) {
-      const before = this.seen;
-      this.seen = this.coverage.mark(x, y);
-      if (before && this.seen && Math.abs(x - x0) + Math.abs(y - y0) < 4 * this.step) {
-        this.open = false;
-        return;
-      }
-      if (!this.open) this.path.moveTo(x0, y0);
-      this.path.lineTo(x, y);
-      this.open = true;
+    if (part) {
+      if (!within || !this.open) this.path.moveTo(part[0], part[1]);
+      this.path.lineTo(part[2], part[3]);
       ++this.segments;
-      return;
     }
-    this.open = this.seen = false;
-    const part = cut(x0, y0, x, y, this.right, this.bottom);
-    if (!part) return;
-    this.path.moveTo(part[0], part[1]);
-    this.path.lineTo(part[2], part[3]);
+    this.open = within;
   }
 }
 
-function inside(x, y, right, bottom) {
-  return x >= -MARGIN && x <= right && y >= -MARGIN && y <= bottom;
-}
-
 // The part of a segment in the frame (Liang & Barsky 1984); null if there is none.
-export function cut(x0, y0, x1, y1, right, bottom) {
+function cut(x0, y0, x1, y1, right, bottom) {
   let from = 0, to = 1;
   const dx = x1 - x0, dy = y1 - y0;
   for (const [p, q] of [[-dx, x0 + MARGIN], [dx, right - x0], [-dy, y0 + MARGIN], [dy, bottom - y0]]) {
@@ -91,20 +63,15 @@ export function cut(x0, y0, x1, y1, right, bottom) {
 }
 
 // Collects the corners of a ring and puts it into a path, cut to the frame.
-export class RingPen {
-  constructor(path, width, height, step = 0.5) {
-    this.path = path;
-    this.right = width + MARGIN;
-    this.bottom = height + MARGIN;
-    this.step = step;
-    this.x = [];
-    this.y = [];
-    this.outside = false;
-  }
+export class RingPen extends Pen {
+  x = [];
+  y = [];
+  outside = false;
+
   to(x, y) {
     const n = this.x.length;
     if (n > 0 && Math.abs(x - this.x[n - 1]) < this.step && Math.abs(y - this.y[n - 1]) < this.step) return;
-    if (!inside(x, y, this.right, this.bottom)) this.outside = true;
+    if (!this.sees(x, y)) this.outside = true;
     this.x.push(x);
     this.y.push(y);
   }

@@ -1,5 +1,5 @@
 // The scene of the page: its layers, decoded.
-import { Curve, grow } from "./tree.js";
+import { Curve, emptyBox, growByBox } from "./tree.js";
 import { Areas, Dots } from "./shapes.js";
 import { PART, bytesOf, decodeSeries } from "./series.js";
 import { byId } from "./text.js";
@@ -8,33 +8,26 @@ export async function loadScene() {
   const scene = JSON.parse(byId("scene").textContent);
   const read = (number) => bytesOf(byId(`s${number}`).textContent, scene.deflated);
 
-  async function numbers({ n, at }) {
-    const values = new Float64Array(n);
-    for (let part = 0; part * PART < n; ++part) {
-      decodeSeries(await read(at + part), Math.min(PART, n - part * PART), values, part * PART);
-    }
-    return values;
-  }
-  async function points({ n, at }, closed) {
-    const size = n + (closed && n > 0 ? 1 : 0);
-    const xy = [new Float64Array(size), new Float64Array(size)];
-    const parts = Math.ceil(n / PART);
-    await Promise.all(Array.from({ length: 2 * parts }, async (_, k) => {
-      const begin = (k >> 1) * PART;
-      decodeSeries(await read(at + k), Math.min(PART, n - begin), xy[k & 1], begin);
+  // All parts of a series, into arrays.
+  async function decoded({ n, at }, axes) {
+    await Promise.all(Array.from({ length: Math.ceil(n / PART) }, async (_, part) => {
+      decodeSeries(await read(at + part), Math.min(PART, n - part * PART), axes, part * PART);
     }));
-    for (const values of xy) if (size > n) values[n] = values[0];
+    return axes;
+  }
+  async function numbers(series) {
+    return (await decoded(series, [new Float64Array(series.n)]))[0];
+  }
+  async function points(series, closed) {
+    const size = series.n + (closed && series.n > 0 ? 1 : 0);
+    const xy = await decoded(series, [new Float64Array(size), new Float64Array(size)]);
+    if (size > series.n) for (const values of xy) values[series.n] = values[0];
     return xy;
   }
 
-  const curves = [];
-  for (const layer of scene.layers) {
-    for (const one of layer.curves ?? []) {
-      one.curve = new Curve(...await points(one, one.closed));
-      curves.push(one.curve);
-    }
-  }
-  curves.push(new Curve(...await points(scene.pool, false)));
+  const lines = scene.layers.flatMap((layer) => layer.curves ?? []);
+  for (const one of lines) one.curve = new Curve(...await points(one, one.closed));
+  const curves = [...lines.map((one) => one.curve), new Curve(...await points(scene.pool, false))];
   for (const layer of scene.layers) {
     for (const column of layer.columns ?? []) {
       column.values = await numbers(column);
@@ -50,20 +43,14 @@ export async function loadScene() {
   }
   scene.box = boxOf(scene);
   scene.iterates = iteratesOf(scene);
-  scene.points = curves.reduce((sum, curve) => sum + curve.points, 0);
+  scene.points = scene.pool.n + lines.reduce((sum, one) => sum + one.n, 0);
   return scene;
 }
 
 function boxOf(scene) {
-  const box = [Infinity, Infinity, -Infinity, -Infinity];
-  const add = (part) => {
-    grow(box, part[0], part[1]);
-    grow(box, part[2], part[3]);
-  };
+  const box = emptyBox();
   for (const layer of scene.layers) {
-    for (const one of layer.curves ?? []) add(one.curve.box());
-    if (layer.areas) for (let k = 0; k < layer.areas.size; ++k) add(layer.areas.box(k));
-    if (layer.dots) for (let k = 0; k < layer.dots.points; ++k) add(layer.dots.box(k));
+    for (let k = 0; k < sizeOf(layer); ++k) growByBox(box, boxOfThing(layer, k));
   }
   return box;
 }

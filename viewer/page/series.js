@@ -1,49 +1,88 @@
-// Series of doubles, as viewer/series.hpp writes them.
+// Series of doubles and of points, as viewer/series.hpp writes them.
+import { Predictor } from "./predictor.js";
 
 const BLOCK = 512; // values of a block
 export const PART = 65536; // values of a part
+const LONG = 64, BREAK = 129; // symbols, less the bits of the number
 
-const powers = [1, 2 ** 8, 2 ** 16, 2 ** 24, 2 ** 32, 2 ** 40, 2 ** 48];
+const double = new Float64Array(1), words = new Uint32Array(double.buffer);
 
-// Decodes `count` values into `out` from `offset` on, which lie `stride` apart there.
-export function decodeSeries(bytes, count, out, offset = 0) {
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  const blocks = Math.ceil(count / BLOCK);
-  let heads = 4 * blocks;
-  let planes = heads;
-  for (let b = 0; b < blocks; ++b) planes += 8 * bytes[4 * b];
-  const word = new DataView(new ArrayBuffer(8));
-  for (let b = 0; b < blocks; ++b) {
-    const begin = offset + b * BLOCK, size = Math.min(BLOCK, count - b * BLOCK);
-    const order = bytes[4 * b], width = bytes[4 * b + 1], exponent = view.getInt16(4 * b + 2, true);
-    const numbers = size - order;
-    if (order === 0) {
-      for (let k = 0; k < size; ++k) {
-        for (let j = 0; j < 8; ++j) word.setUint8(j, bytes[planes + j * size + k]);
-        out[begin + k] = word.getFloat64(0, true);
-      }
-    } else {
-      const base = view.getFloat64(heads, true);
-      out[begin] = 0;
-      for (let k = 1; k < order; ++k) out[begin + k] = view.getFloat64(heads + 8 * k, true);
-      for (let k = 0; k < numbers; ++k) {
-        let low = bytes[planes + k], half;
-        const odd = low & 1;
-        for (let j = 1; j < width; ++j) low += bytes[planes + j * numbers + k] * powers[j];
-        half = (low - odd) / 2;
-        out[begin + order + k] = odd ? -half - 1 : half;
-      }
-      for (let d = order; d >= 1; --d) {
-        for (let k = begin + d, end = begin + size; k < end; ++k) out[k] += out[k - 1];
-      }
-      const low = exponent < -1000 ? 2 ** -1000 : 1, unit = 2 ** (exponent < -1000 ? exponent + 1000 : exponent);
-      // Rounded once: products with powers of two are exact.
-      for (let k = begin, end = begin + size; k < end; ++k) out[k] = out[k] === 0 ? base : base + out[k] * unit * low;
-    }
-    heads += 8 * order;
-    planes += (order === 0 ? size : numbers) * width;
+// The double that is so many doubles after `value` as the number says: 2 n, or -2 n - 1 for n < 0.
+function moved(value, low, high) {
+  double[0] = value;
+  let [l, h] = words;
+  if (h >>> 31) {
+    l = ~l >>> 0;
+    h = ~h;
+  } else {
+    h |= 0x80000000;
   }
-  return out;
+  const sign = -(low & 1), sum = l + (((low >>> 1 | high << 31) ^ sign) >>> 0);
+  h = h + ((high >>> 1) ^ sign) + (sum > 0xffffffff ? 1 : 0) | 0;
+  words[0] = h < 0 ? sum : ~sum;
+  words[1] = h < 0 ? h & 0x7fffffff : ~h;
+  return double[0];
+}
+
+// Bits of a number, the least significant one first.
+class Bits {
+  constructor(bytes, at) {
+    Object.assign(this, { bytes, at, held: 0, count: 0 });
+  }
+  take(count) { // at most 24
+    while (this.count < count) {
+      this.held |= this.bytes[this.at++] << this.count;
+      this.count += 8;
+    }
+    const value = this.held & (1 << count) - 1;
+    this.held >>>= count;
+    this.count -= count;
+    return value;
+  }
+  word(count) {
+    return count <= 24 ? this.take(count) : (this.take(16) | this.take(count - 16) << 16) >>> 0;
+  }
+}
+
+function gridOf(code) {
+  if (code === 0) return { scale: 1, offset: 0, none: true };
+  return code > 16 ? { scale: 1, offset: 1.5 * 2 ** (code - 1948) } : { scale: Number(`1e${code - 1}`), offset: 1.5 * 2 ** 52 };
+}
+
+// Decodes `count` values, or points, into the arrays `axes` from `offset` on.
+export function decodeSeries(bytes, count, axes, offset = 0) {
+  const head = 1 + 2 * axes.length, symbols = Math.ceil(count / BLOCK) * head;
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const bits = new Bits(bytes, symbols + axes.length * count), predictor = new Predictor(), point = [0, 0];
+  let way = 0, grids = [];
+  for (let k = 0; k < count; ++k) {
+    if (k % BLOCK === 0) {
+      const at = k / BLOCK * head;
+      way = bytes[at];
+      grids = axes.map((_, axis) => gridOf(view.getInt16(at + 1 + 2 * axis, true)));
+    }
+    const first = axes.length > 1 ? predictor.primary() : 0;
+    let steps = 1, along = 1;
+    for (let rank = 0; rank < axes.length; ++rank) {
+      const axis = rank ^ first, symbol = bytes[symbols + rank * count + k];
+      const width = symbol - (symbol < BREAK ? LONG : BREAK);
+      let low = width < 0 ? symbol : 0, high = 0;
+      if (width > 32) {
+        low = bits.word(32);
+        high = (bits.word(width - 33) | 1 << width - 33) >>> 0;
+      } else if (width > 0) {
+        low = (bits.word(width - 1) | 1 << width - 1) >>> 0;
+      }
+      const { scale, offset: zero, none } = grids[axis], expected = predictor.at(axis, along);
+      point[axis] = none ? moved(expected, low, high) : (moved(expected * scale + zero, low, high) - zero) / scale;
+      if (rank === 0 && axes.length > 1) {
+        along = predictor.stepsTo(axis, point[axis]);
+        if (symbol >= BREAK) steps = along;
+      }
+      axes[axis][offset + k] = point[axis];
+    }
+    predictor.add(point, steps, way);
+  }
 }
 
 // The bytes of an element of the page, in base64 and perhaps deflated.

@@ -1,5 +1,5 @@
 // Areas, whose boundaries are runs of points of curves, and dots.
-import { Curve, grow } from "./tree.js";
+import { Curve, apart, emptyBox, growByBox, smaller } from "./tree.js";
 
 // Areas of a layer: area k has the rings ringBegin[k] to ringBegin[k + 1], ring r the runs runBegin[r] to runBegin[r + 1],
 // and a run goes from point first to point last of a curve, up or down.
@@ -17,23 +17,15 @@ export class Areas {
   }
 
   boxOf(area) {
-    const box = [Infinity, Infinity, -Infinity, -Infinity];
+    const box = emptyBox();
     for (let run = this.runBegin[this.ringBegin[area]]; run < this.runBegin[this.ringBegin[area + 1]]; ++run) {
       const first = this.first[run], last = this.last[run];
-      const part = this.curves[this.curve[run]].box(Math.min(first, last), Math.max(first, last));
-      grow(box, part[0], part[1]);
-      grow(box, part[2], part[3]);
+      growByBox(box, this.curves[this.curve[run]].box(Math.min(first, last), Math.max(first, last)));
     }
     return box;
   }
   box(area) {
     return this.boxes.subarray(4 * area, 4 * area + 4);
-  }
-
-  // Whether the box of an area meets another one.
-  meets(area, box) {
-    const at = 4 * area, boxes = this.boxes;
-    return boxes[at] <= box[2] && boxes[at + 2] >= box[0] && boxes[at + 1] <= box[3] && boxes[at + 3] >= box[1];
   }
 
   // Draws the rings of an area. Runs outside of the frame and those smaller than a step are drawn as their chords: the
@@ -49,12 +41,9 @@ export class Areas {
     const first = Math.min(this.first[run], this.last[run]), last = Math.max(this.first[run], this.last[run]);
     const points = [];
     const small = pen.step / view.scale;
-    curve.walk(first, last, (level, node, boxes) => {
-      const at = 4 * node;
-      const skipped = boxes[at] > frame[2] || boxes[at + 2] < frame[0] || boxes[at + 1] > frame[3] ||
-        boxes[at + 3] < frame[1] || (boxes[at + 2] - boxes[at] < small && boxes[at + 3] - boxes[at + 1] < small);
-      if (!skipped) return true;
-      points.push(Math.max(first, curve.begin(level, node)), Math.min(last, curve.end(level, node)));
+    curve.walk(first, last, (boxes, at, from, to) => {
+      if (!apart(boxes, at, frame) && !smaller(boxes, at, small)) return true;
+      points.push(from, to);
       return false;
     }, (begin, end) => {
       for (let k = begin; k <= end; ++k) points.push(k);
@@ -63,46 +52,38 @@ export class Areas {
     for (const k of points) pen.to(view.px(x[k]), view.py(y[k]));
   }
 
-  // How often the boundary of an area winds about the point (offsetX, offsetY) off the centre of the view.
-  winding(area, view, offsetX, offsetY) {
+  // How often the boundary of an area winds about a point; `place(x, y)` gives coordinates relative to it.
+  winding(area, place) {
     let winding = 0;
     for (let ring = this.ringBegin[area]; ring < this.ringBegin[area + 1]; ++ring) {
       const begin = this.runBegin[ring], end = this.runBegin[ring + 1];
       for (let run = begin; run < end; ++run) {
         const next = run + 1 < end ? run + 1 : begin;
         const curve = this.curves[this.curve[run]], other = this.curves[this.curve[next]];
-        const from = position(curve, this.last[run], view, offsetX, offsetY);
-        winding += crossing(from, position(other, this.first[next], view, offsetX, offsetY));
-        winding += this.runWinding(run, view, offsetX, offsetY);
+        winding += crossing(placeOf(curve, this.last[run], place), placeOf(other, this.first[next], place));
+        const first = this.first[run], last = this.last[run];
+        winding += first <= last ? windingOf(curve, first, last, place) : -windingOf(curve, last, first, place);
       }
     }
     return winding;
   }
-  runWinding(run, view, offsetX, offsetY) {
-    const curve = this.curves[this.curve[run]];
-    const down = this.first[run] > this.last[run];
-    const first = down ? this.last[run] : this.first[run], last = down ? this.first[run] : this.last[run];
-    let winding = 0;
-    curve.walk(first, last, (level, node, boxes) => {
-      const at = 4 * node;
-      const left = boxes[at] - view.x - view.dx - offsetX, right = boxes[at + 2] - view.x - view.dx - offsetX;
-      const low = boxes[at + 1] - view.y - view.dy - offsetY, high = boxes[at + 3] - view.y - view.dy - offsetY;
-      if (low > 0 || high <= 0 || right < 0) return false;
-      if (left <= 0) return true;
-      const a = position(curve, Math.max(first, curve.begin(level, node)), view, offsetX, offsetY);
-      const b = position(curve, Math.min(last, curve.end(level, node)), view, offsetX, offsetY);
-      winding += (a[1] <= 0) === (b[1] <= 0) ? 0 : a[1] <= 0 ? 1 : -1;
-      return false;
-    }, (begin, end) => {
-      let a = position(curve, begin, view, offsetX, offsetY);
-      for (let k = begin + 1; k <= end; ++k) {
-        const b = position(curve, k, view, offsetX, offsetY);
-        winding += crossing(a, b);
-        a = b;
-      }
-    });
-    return down ? -winding : winding;
-  }
+}
+
+const placeOf = (curve, k, place) => place(curve.x[k], curve.y[k]);
+
+// The part of the points first to last, upwards. Boxes to the right of the point count by their ends.
+function windingOf(curve, first, last, place) {
+  let winding = 0;
+  curve.walk(first, last, (boxes, at, from, to) => {
+    const [left, low] = place(boxes[at], boxes[at + 1]), [right, high] = place(boxes[at + 2], boxes[at + 3]);
+    if (low > 0 || high <= 0 || right < 0) return false;
+    if (left <= 0) return true;
+    winding += crossing([1, placeOf(curve, from, place)[1]], [1, placeOf(curve, to, place)[1]]);
+    return false;
+  }, (from, to) => {
+    for (let k = from; k < to; ++k) winding += crossing(placeOf(curve, k, place), placeOf(curve, k + 1, place));
+  });
+  return winding;
 }
 
 // Dots of a layer, in the order of a curve.
@@ -116,10 +97,6 @@ function sums(counts) {
   const begins = new Int32Array(counts.length + 1);
   for (let k = 0; k < counts.length; ++k) begins[k + 1] = begins[k] + counts[k];
   return begins;
-}
-
-function position(curve, k, view, offsetX, offsetY) {
-  return [curve.x[k] - view.x - view.dx - offsetX, curve.y[k] - view.y - view.dy - offsetY];
 }
 
 // +1 or -1 where the segment crosses the ray from 0 to the right, upwards or downwards.

@@ -1,6 +1,8 @@
 // The table of a layer's areas or dots: sorted, filtered, and only as many rows in the page as are seen.
+import { fillHeads, filterOf } from "./columns.js";
 import { boxOfThing, nameOf } from "./scene.js";
 import { byId, element, rounded, withBar } from "./text.js";
+import { apart } from "./tree.js";
 
 const ROW = 28; // pixels, as in page.css
 
@@ -10,7 +12,7 @@ export class Table {
     Object.assign(this, { choose, zoom, inView });
     this.layer = null;
     this.rows = [];
-    this.sort = { column: -1, down: false };
+    this.sort = { column: 0, down: false };
     this.scroller = byId("rows");
     this.scroller.addEventListener("scroll", () => this.fill());
     byId("filter").addEventListener("input", () => this.update());
@@ -19,47 +21,25 @@ export class Table {
 
   show(layer) {
     this.layer = layer;
-    this.sort = { column: -1, down: false };
+    this.sort = { column: 0, down: false };
     this.head();
     this.update();
   }
 
+  // Names come in the order of the layer, and numbers begin with the largest.
   head() {
-    const heads = [["name", -1], ...this.layer.columns.map((column, k) => [column.name, k])];
-    byId("heads").replaceChildren(...heads.map(([name, column]) => {
-      const sorted = this.sort.column === column && (column >= 0 || this.sort.down);
-      const button = element("button", { type: "button" }, name + (sorted ? (this.sort.down ? " \u25be" : " \u25b4") : ""));
-      button.addEventListener("click", () => {
-        // Numbers begin with the largest.
-        this.sort = this.sort.column === column ? { column, down: !this.sort.down } : { column, down: column >= 0 };
-        this.head();
-        this.update();
-      });
-      return element("th", { scope: "col", "aria-sort": sorted ? (this.sort.down ? "descending" : "ascending") : "none" }, button);
-    }));
+    fillHeads(["name", ...this.layer.columns.map(({ name }) => name)], this.sort, (column) => {
+      this.sort = { column, down: this.sort.column === column ? !this.sort.down : column > 0 };
+      this.head();
+      this.update();
+    });
   }
 
-  // Terms of the filter: "area>0.1" compares a column, anything else is part of the name.
   accepts() {
-    const tests = byId("filter").value.trim().split(/\s+/).filter(Boolean).map((term) => {
-      const [, name, sign, text] = /^(.+?)(<=|>=|<|>|=)([-+.\deE]+)$/.exec(term) ?? [];
-      const column = this.layer.columns.find((one) => one.name.replaceAll(" ", "") === name);
-      const number = Number(text);
-      if (column && !Number.isNaN(number)) {
-        const holds = { "<": (v) => v < number, "<=": (v) => v <= number, ">": (v) => v > number, ">=": (v) => v >= number, "=": (v) => v === number }[sign];
-        return (k) => holds(column.values[k]);
-      }
-      const lower = term.toLowerCase();
-      return (k) => nameOf(this.layer, k).toLowerCase().includes(lower);
-    });
-    const box = byId("in-view").checked ? this.inView() : null;
-    if (box) {
-      tests.push((k) => {
-        const [minX, minY, maxX, maxY] = boxOfThing(this.layer, k);
-        return maxX >= box[0] && minX <= box[2] && maxY >= box[1] && minY <= box[3];
-      });
-    }
-    return (k) => tests.every((test) => test(k));
+    const { layer } = this, box = byId("in-view").checked ? this.inView() : null;
+    const matches = filterOf(layer.columns.map(({ name }) => name), (k, column) => layer.columns[column].values[k],
+      (k, text) => nameOf(layer, k).toLowerCase().includes(text));
+    return (k) => matches(k) && (!box || !apart(boxOfThing(layer, k), 0, box));
   }
 
   update() {
@@ -67,9 +47,9 @@ export class Table {
     if (!layer) return;
     const accepts = this.accepts(), { column, down } = this.sort, rows = [];
     for (let k = 0; k < layer.n; ++k) if (accepts(k)) rows.push(k);
-    if (column >= 0) {
-      const { values } = layer.columns[column], sign = down ? -1 : 1;
-      const size = layer.columns[column].name === "area" ? Math.abs : (value) => value;
+    if (column > 0) {
+      const { name, values } = layer.columns[column - 1], sign = down ? -1 : 1;
+      const size = name === "area" ? Math.abs : (value) => value;
       rows.sort((a, b) => {
         const unknown = Number.isNaN(values[a]) - Number.isNaN(values[b]);
         return unknown || sign * (size(values[a]) - size(values[b])) || a - b;
@@ -96,14 +76,23 @@ export class Table {
     const body = [space(first * ROW)];
     for (let r = first; r < last; ++r) body.push(this.row(rows[r]));
     body.push(space((rows.length - last) * ROW));
+    const focused = document.activeElement?.dataset.thing;
     byId("body").replaceChildren(...body);
+    if (focused !== undefined) this.focus(focused);
+  }
+
+  // Moves the focus to the row of a thing, if it is in the page.
+  focus(k) {
+    this.scroller.querySelector(`[data-thing="${k}"]`)?.focus({ preventScroll: true });
   }
 
   row(k) {
     const { layer } = this;
     const name = element("button", { type: "button", title: "Choose; twice: look at it" }, nameOf(layer, k));
+    name.dataset.thing = k;
     name.addEventListener("click", () => this.choose(layer, k));
-    const cells = layer.columns.map(({ values, bars }) => element("td", {}, bars ? withBar(values[k], bars[k]) : rounded(values[k], 8)));
+    const textOf = ({ values, bars }) => (bars ? withBar(values[k], bars[k]) : rounded(values[k], 8));
+    const cells = layer.columns.map((column) => element("td", {}, textOf(column)));
     const row = element("tr", {}, element("th", { scope: "row" }, name), ...cells);
     if (this.chosen && this.chosen.layer === layer && this.chosen.index === k) row.className = "chosen";
     row.addEventListener("dblclick", () => this.zoom(layer, k));
@@ -111,10 +100,12 @@ export class Table {
       if (event.target !== name) this.choose(layer, k);
     });
     name.addEventListener("keydown", (event) => {
-      if (event.key !== "Enter") return;
+      const other = this.rows[this.rows.indexOf(k) + { ArrowDown: 1, ArrowUp: -1 }[event.key]];
+      if (event.key !== "Enter" && other === undefined) return;
       event.preventDefault();
-      this.choose(layer, k);
-      this.zoom(layer, k);
+      if (other === undefined) return this.zoom(layer, k);
+      this.choose(layer, other);
+      this.focus(other);
     });
     return row;
   }
@@ -125,7 +116,8 @@ export class Table {
     const at = chosen && chosen.layer === this.layer ? this.rows.indexOf(chosen.index) : -1;
     if (at >= 0) {
       const { scrollTop, clientHeight } = this.scroller, top = at * ROW;
-      if (top < scrollTop || top > scrollTop + clientHeight - 2 * ROW) this.scroller.scrollTop = Math.max(0, top - clientHeight / 2);
+      const hidden = top < scrollTop || top > scrollTop + clientHeight - 2 * ROW;
+      if (hidden) this.scroller.scrollTop = Math.max(0, top - clientHeight / 2);
     }
     this.fill();
   }

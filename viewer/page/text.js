@@ -14,7 +14,7 @@ export function withBar(value, bar) {
   if (!(bar > 0)) return String(value).replace("-", "\u2212");
   const size = Math.abs(value) > 0 ? Math.floor(Math.log10(Math.abs(value))) : 0;
   const digits = Math.min(17, Math.max(1, size - Math.floor(Math.log10(bar)) + 2));
-  return `${rounded(value, digits)} \u00b1 ${bar.toPrecision(2)}`;
+  return `${rounded(value, digits)} \u00b1 ${bar.toPrecision(2).replace("-", "\u2212")}`;
 }
 
 // An element with properties and children; texts are texts, never markup.

@@ -2,6 +2,7 @@
 // neighbouring doubles are pixels apart; differences to it are computed in double, and only these small numbers are drawn.
 
 const DEEPEST = 1e-13; // of the whole: beyond, neighbouring doubles are further apart than pixels
+const LARGEST = 1e305; // scale, so that pixels are finite
 
 export class View {
   constructor(box) {
@@ -28,12 +29,15 @@ export class View {
     const { width, height } = this.whole, margin = 0.94;
     const across = width > 0 ? this.width / width : Infinity, up = height > 0 ? this.height / height : Infinity;
     const scale = Math.min(across, up);
-    return margin * (Number.isFinite(scale) ? scale : Math.min(this.width, this.height) / this.size);
+    return margin * Math.min(scale === Infinity ? Math.min(this.width, this.height) / this.size : scale, LARGEST);
   }
   // A double has 2^-53 of its size; a view far from the origin ends earlier than one about it.
   get maxScale() {
     const far = Math.max(Math.abs(this.whole.x), Math.abs(this.whole.y), this.size);
-    return Math.min(this.width, this.height) / (DEEPEST * far);
+    return Math.min(Math.min(this.width, this.height) / (DEEPEST * far), LARGEST);
+  }
+  limited(scale) {
+    return Math.min(Math.max(scale, 0.2 * this.wholeScale), this.maxScale);
   }
   get depth() {
     return this.scale / this.wholeScale;
@@ -72,7 +76,7 @@ export class View {
     this.normalise();
   }
   zoom(factor, px = this.width / 2, py = this.height / 2) {
-    const scale = Math.min(Math.max(this.scale * factor, 0.2 * this.wholeScale), this.maxScale);
+    const scale = this.limited(this.scale * factor);
     this.dx += (px - this.width / 2) * (1 / this.scale - 1 / scale);
     this.dy -= (py - this.height / 2) * (1 / this.scale - 1 / scale);
     this.scale = scale;
@@ -105,7 +109,7 @@ export class View {
     this.x = x;
     this.y = y;
     this.dx = this.dy = 0;
-    this.scale = Math.min(depth * this.wholeScale, this.maxScale);
+    this.scale = this.limited(depth * this.wholeScale);
     return true;
   }
 }

@@ -28,6 +28,9 @@ namespace lober::viewer {
 /// A tangle with the common parts of leaving and entering lobes, and areas that cross by iterate.
 [[nodiscard]] Scene transport_scene(const operations::SystemTransport& found);
 
+/// The same for two curves, of which `tangle` is the tangle.
+[[nodiscard]] Scene transport_scene(const operations::CurveTangle& tangle, const operations::CurveTransport& found);
+
 /// Entrance and exit curves on the section and their images, by iterate, and their common parts.
 [[nodiscard]] Scene escape_scene(const operations::SystemEscape& found);
 

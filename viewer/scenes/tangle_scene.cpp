@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <span>
 
 #include "engine/base/text.hpp"
 #include "lober/base/error.hpp"
@@ -186,6 +187,23 @@ std::string measured_text(const Measured& value) {
   return detail::format_number(value.value) + " +- " + detail::format_rounded(value.error);
 }
 
+Scene transport_scene(const Tangle& tangle, const CurveTangle* measured, const std::vector<LobeOverlap>& pairs,
+                      std::span<const Region> regions, std::span<const TransportStep> steps) {
+  Scene scene = scene_of(tangle, measured, &pairs);
+  scene.title = "Transport across the boundary of a tangle";
+  for (std::size_t k = 0; k < regions.size(); ++k) {
+    if (regions[k].bounded) {
+      scene.notes.push_back("Area of R" + std::to_string(k + 1) + ": " + measured_text(regions[k].area));
+    }
+  }
+  for (const TransportStep& step : steps) {
+    if (step.flux.size() < 2) continue;
+    scene.notes.push_back("n = " + std::to_string(step.n) + ": a12 = " + measured_text(step.flux(0, 1)) +
+                          ", T12 = " + measured_text(step.total(0, 1)));
+  }
+  return scene;
+}
+
 }  // namespace
 
 Scene tangle_scene(const CurveTangle& found) {
@@ -195,19 +213,12 @@ Scene tangle_scene(const CurveTangle& found) {
 Scene transport_scene(const operations::SystemTransport& found) {
   const Tangle& tangle = found.manifolds().tangle;
   const std::vector<LobeOverlap> pairs = overlaps(tangle);
-  Scene scene = scene_of(tangle, nullptr, &pairs);
-  scene.title = "Transport across the boundary of a tangle";
-  for (std::size_t k = 0; k < found.regions.size(); ++k) {
-    if (found.regions[k].bounded) {
-      scene.notes.push_back("Area of R" + std::to_string(k + 1) + ": " + measured_text(found.regions[k].area));
-    }
-  }
-  for (const TransportStep& step : found.steps) {
-    if (step.flux.size() < 2) continue;
-    scene.notes.push_back("n = " + std::to_string(step.n) + ": a12 = " + measured_text(step.flux(0, 1)) +
-                          ", T12 = " + measured_text(step.total(0, 1)));
-  }
-  return scene;
+  return transport_scene(tangle, nullptr, pairs, found.regions, found.steps);
+}
+
+Scene transport_scene(const CurveTangle& tangle, const operations::CurveTransport& found) {
+  const std::vector<LobeOverlap> pairs = overlaps(tangle);
+  return transport_scene(tangle, &tangle, pairs, found.regions, found.steps);
 }
 
 }  // namespace lober::viewer
