@@ -194,7 +194,7 @@ void export_store(const Arguments& arguments) {
   warn_of(counts.damaged);
 }
 
-void merge_stores(const Arguments& arguments) {
+void run_merge(const Arguments& arguments) {
   std::string target;
   std::vector<std::string> sources;
   OptionParser parser("Joins stores of the same plan, as shards write them, into one.", "lober batch merge");
@@ -203,27 +203,11 @@ void merge_stores(const Arguments& arguments) {
   parser.add("TARGET", target, "The store that takes the results, which is created if it does not exist.").required();
   parser.add("STORES", sources, "The stores whose results are copied.").required();
   if (!parser.parse(arguments)) return;
-  std::vector<std::string> all{target};
-  all.insert(all.end(), sources.begin(), sources.end());
-  detail::require_different_stores(all);
-  std::vector<detail::Store> others;
-  others.reserve(sources.size());
-  for (const std::string& source : sources) others.push_back(detail::Store::open(source));
-  const bool is_new = !std::filesystem::exists(target);
   expect_written("TARGET", target);
   Progress progress;
   progress.phase("merging", 0, 1);
-  std::optional<detail::Store> store(detail::Store::create(target));
-  try {
-    store->merge(others);
-  } catch (...) {
-    const bool is_empty = store->runs().empty();  // another process may have begun one there
-    store.reset();                                // and SQLite removes its log
-    if (is_new && is_empty) std::filesystem::remove(target);
-    throw;
-  }
-  for (const detail::Store& other : others) warn_of(survey(other).counts.damaged);
-  const ExportCounts counts = survey(*store).counts;
+  warn_of(merge_stores(target, sources));
+  const ExportCounts counts = survey(detail::Store::open(target)).counts;
   print(how_far(counts));
   warn_of(counts.damaged);
 }
@@ -243,7 +227,7 @@ constexpr Subcommand subcommands[]{
     {"status", show_status, "STORE", "reports the jobs that are done, the runs and the failures"},
     {"export", export_store, "STORE [-o FILE]", "writes the results as CSV, JSON lines, NPY, NetCDF or HDF5"},
     {"page", run_batch_page, "STORE -o FILE", "writes a page with a table of the jobs and heat maps"},
-    {"merge", merge_stores, "TARGET STORE...", "joins the stores of shards"},
+    {"merge", run_merge, "TARGET STORE...", "joins the stores of shards"},
     {"manifest", show_manifest_keys, "", "lists the keys of a manifest"},
     {"operations", show_operations, "[NAME]", "lists the operations, or the options and results of one"},
 };
