@@ -10,8 +10,9 @@ build=$(realpath -m "${1:-build-python-asan}")
 [ $# -gt 0 ] && shift
 asan=$(g++ -print-file-name=libasan.so)
 [ -e "$asan" ] || { echo "skipped: g++ has no libasan.so"; exit 77; }
+# GCC takes members of empty optionals for values where it instruments code: a warning that says nothing here.
 [ -e "$build/CMakeCache.txt" ] || cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_COMPILER=g++ \
-  -DCMAKE_CXX_FLAGS='-fsanitize=address -fno-omit-frame-pointer -O1 -g1' -DLOBER_BUILD_CLI=OFF -DLOBER_BUILD_TESTS=OFF \
+  -DCMAKE_CXX_FLAGS='-fsanitize=address -fno-omit-frame-pointer -O1 -g1 -Wno-maybe-uninitialized' -DLOBER_BUILD_CLI=OFF -DLOBER_BUILD_TESTS=OFF \
   -DLOBER_INSTALL=OFF -DLOBER_UNITY=ON -DLOBER_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3
 scripts/python-install.sh "$build"
 cd python/tests

@@ -86,8 +86,10 @@ def system_input(system: System, connection: Connection | None = None) -> tuple[
     if connection is None or is_own(system, connection):
         return system._of, name, list(values.items()), tolerance, None if name else lambda changed: system._relative(changed)._of
 
+    parts = connection._parts()
+
     def with_it(of: _lober.System) -> _lober.System:
-        return _lober.with_connection(of, connection._parts())
+        return _lober.with_connection(of, parts)
 
     return with_it(system._of), None, [], tolerance, lambda changed: with_it(system._relative(changed)._of)
 
