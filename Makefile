@@ -18,7 +18,7 @@ PYTHON_PACKAGES := python3-dev python3-venv python3-setuptools python3-wheel pyt
 DOCS_PACKAGES := python3-sphinx furo python3-myst-parser python3-sphinx-copybutton python3-nbclient python3-ipykernel \
                  doxygen libjs-mathjax node-normalize.css
 
-.PHONY: demo test ci build bench bench-build bench-batch python python-debug python-functions docs docs-deps docs-figures docs-check paper check-readme stress fuzz trust deps bench-deps python-deps format tidy clean
+.PHONY: demo test ci build bench bench-build bench-batch python python-debug python-asan python-functions docs docs-deps docs-figures docs-check paper check-readme stress fuzz trust deps bench-deps python-deps format tidy clean
 
 demo:
 	@echo "Installs what it needs (root or sudo), builds the program and runs it: about three minutes on two cores, seconds the next time."
@@ -70,6 +70,9 @@ python: python-deps
 python-debug: python
 	@scripts/install-packages.sh python3-dbg
 	@scripts/python-debug.sh build
+
+python-asan: python-deps
+	@scripts/python-asan.sh
 
 .PHONY: deb wheel packages-check
 # Debian packages in build/packages: another machine needs nothing of this folder.

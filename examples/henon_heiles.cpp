@@ -77,6 +77,15 @@ constexpr lober_flow flow{.dimension = 4,
                           .pairs = pairs,
                           .section = &section,
                           .velocity_batch = velocity_batch};
+// The three saddles, at the energy 1/6.
+int saddle(const double* /*parameters*/, size_t index, double state[4]) {
+  constexpr double positions[][2] = {{0, 1}, {-0.86602540378443865, -0.5}, {0.86602540378443865, -0.5}};
+  state[0] = positions[index][0];
+  state[1] = positions[index][1];
+  state[2] = state[3] = std::numeric_limits<double>::quiet_NaN();  // at rest
+  return 0;
+}
+
 constexpr lober_system description{.abi = LOBER_SYSTEM_ABI,
                                    .kind = LOBER_FLOW,
                                    .name = "henon-heiles",
@@ -92,7 +101,9 @@ constexpr lober_system description{.abi = LOBER_SYSTEM_ABI,
                                    .all_bound_region_1 = 0,
                                    .ranges = ranges,
                                    .perturbation = nullptr,
-                                   .second_lattice = {0, 0}};
+                                   .second_lattice = {0, 0},
+                                   .saddle_count = 3,
+                                   .saddle = saddle};
 
 }  // namespace
 

@@ -37,22 +37,15 @@ static double action(const double* a, double x, double to) {
 
 static const lober_parameter parameters[] = {{"angle", 1.3, "of rotation, radians"}};
 static const lober_map map = {forward, backward, derivative, action};
-static const lober_system description = {LOBER_SYSTEM_ABI,
-                                         LOBER_MAP,
-                                         "quadratic",
-                                         "Henon's quadratic map: a rotation after a shear",
-                                         1,
-                                         parameters,
-                                         {-2, -2, 2, 2},
-                                         {0, 0},
-                                         &map,
-                                         NULL,
-                                         0,
-                                         NULL,
-                                         0,
-                                         NULL, /* any angle but the multiples of pi, which have no action */
-                                         NULL,
-                                         {0, 0}};
+/* Any angle but the multiples of pi, which have no action. What is not named is 0 or NULL. */
+static const lober_system description = {.abi = LOBER_SYSTEM_ABI,
+                                         .kind = LOBER_MAP,
+                                         .name = "quadratic",
+                                         .summary = "Henon's quadratic map: a rotation after a shear",
+                                         .parameter_count = 1,
+                                         .parameters = parameters,
+                                         .window = {-2, -2, 2, 2},
+                                         .map = &map};
 
 const lober_system* lober_system_describe(void) {
   return &description;

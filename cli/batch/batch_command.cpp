@@ -207,7 +207,7 @@ void export_store(const Arguments& arguments) {
   warn_of(counts.damaged);
 }
 
-void merge_stores(const Arguments& arguments) {
+void run_merge(const Arguments& arguments) {
   std::string target;
   std::vector<std::string> sources;
   OptionParser parser("Joins stores of the same plan, as shards write them, into one.", "lober batch merge");
@@ -216,36 +216,12 @@ void merge_stores(const Arguments& arguments) {
   parser.add("TARGET", target, "The store that takes the results, which is created if it does not exist.").required();
   parser.add("STORES", sources, "The stores whose results are copied.").required();
   if (!parser.parse(arguments)) return;
-  std::vector<std::string> all{target};
-  all.insert(all.end(), sources.begin(), sources.end());
-  detail::require_different_stores(all);
-  std::vector<detail::Store> others;
-  others.reserve(sources.size());
-  for (const std::string& source : sources) others.push_back(detail::Store::open(source));
-  const bool is_new = !std::filesystem::exists(target);
   expect_written("TARGET", target);
   Progress progress;
-  double results = 0;
-  for (const detail::Store& other : others) results += static_cast<double>(other.stored().size());
-  progress.of(results, "results");
   progress.phase("merging", 0, 0.6);
-  std::optional<detail::Store> store(detail::Store::create(target));
-  try {
-    store->merge(others, told_to(progress));
-  } catch (...) {
-    const bool is_empty = store->runs().empty();  // another process may have begun one there
-    store.reset();                                // and SQLite removes its log
-    if (is_new && is_empty) std::filesystem::remove(target);
-    throw;
-  }
-  const double part = 0.4 / static_cast<double>(others.size() + 1);
-  auto surveyed = [&, begin = 0.6](const detail::Store& one) mutable {
-    progress.phase("checking", begin, begin + part);
-    begin += part;
-    return survey(one, told_to(progress)).counts;
-  };
-  for (const detail::Store& other : others) warn_of(surveyed(other).damaged);
-  const ExportCounts counts = surveyed(*store);
+  warn_of(merge_stores(target, sources, told_to(progress)));
+  progress.phase("checking", 0.6, 1);
+  const ExportCounts counts = survey(detail::Store::open(target), told_to(progress)).counts;
   print(how_far(counts));
   warn_of(counts.damaged);
 }
@@ -267,7 +243,7 @@ constexpr Subcommand subcommands[]{
     {"page", run_batch_page, "STORE -o FILE", "writes a page with a table of the jobs and heat maps"},
     {"picture", run_batch_picture, "STORE --picture FILE",
      "draws a number of the jobs over two options, or overlaps of lobes, as a heat map"},
-    {"merge", merge_stores, "TARGET STORE...", "joins the stores of shards"},
+    {"merge", run_merge, "TARGET STORE...", "joins the stores of shards"},
     {"manifest", show_manifest_keys, "", "lists the keys of a manifest"},
     {"operations", show_operations, "[NAME]", "lists the operations, or the options and results of one"},
 };

@@ -1,6 +1,7 @@
 """Tutorials: documents whose code is executed when the site is built, with the results behind each block.
 
-A ```python block is a cell. A ```console block is a command and what it printed; here it is run again, and so is a ```sh block.
+A ```python block is a cell, and an ```output block what it prints, which is compared. A ```console block is a command and what it
+printed; here it is run again, and so is a ```sh block.
 Pictures are those of matplotlib, and those that a command writes with --svg or --picture.
 """
 
@@ -8,6 +9,7 @@ import base64
 import os
 import re
 import shutil
+import subprocess
 import tempfile
 from pathlib import Path
 
@@ -50,6 +52,7 @@ def executed(source: Path, build: Path, files: Path) -> str:
     book = nbformat.v4.new_notebook(metadata={"kernelspec": {"name": "lober", "display_name": "lober", "language": "python"}})
     book.cells.append(nbformat.v4.new_code_cell(START))
     cell_of: dict[int, int] = {}
+    expected: dict[int, str] = {}  # by the part of the cell
     for index, (kind, text) in enumerate(parts):
         if kind == "python":
             cell = nbformat.v4.new_code_cell(text)
@@ -57,6 +60,9 @@ def executed(source: Path, build: Path, files: Path) -> str:
             cell = nbformat.v4.new_code_cell("%%bash\n" + text.splitlines()[0].removeprefix("$ "))
         elif kind == "sh":
             cell = nbformat.v4.new_code_cell("%%bash\n" + text)
+        elif kind == "output":
+            expected[max(cell_of)] = text
+            continue
         elif text.strip():
             shown = text if not kind else f"```{kind}\n{text}\n```"
             cell = nbformat.v4.new_markdown_cell(shown.strip())
@@ -73,12 +79,16 @@ def executed(source: Path, build: Path, files: Path) -> str:
             if not kind:
                 pieces.append(text)
                 continue
+            if kind == "output":
+                continue  # as it was printed now, behind the cell
             if kind == "console":
                 pieces.append(f"```console\n{text.splitlines()[0]}\n```")
             else:
                 pieces.append(f"```{kind}\n{text}\n```")
             if index in cell_of and book.cells[cell_of[index]].cell_type == "code":
                 pieces += results(book.cells[cell_of[index]], files, f"{index:02d}")
+                if index in expected:
+                    require_same(expected[index], book.cells[cell_of[index]], source)
                 for picture in PICTURE.findall(text):
                     shutil.copyfile(Path(work) / picture, files / f"{index:02d}-{Path(picture).name}")
                     pieces.append(image(files, f"{index:02d}-{Path(picture).name}"))
@@ -107,6 +117,18 @@ def run(book: nbformat.NotebookNode, build: Path, work: Path) -> None:
                                      resources={"metadata": {"path": str(work)}})
     client.execute()
     shutil.rmtree(work / ".kernels")
+
+
+def require_same(shown: str, cell: nbformat.NotebookNode, source: Path) -> None:
+    """Raises SystemExit unless a cell has printed what the document shows, as scripts/check-readme.sh compares it."""
+    text = "".join(output.text for output in cell.outputs if output.output_type == "stream" and output.name == "stdout")
+    with tempfile.TemporaryDirectory() as folder:
+        names = [Path(folder) / name for name in ("shown", "printed")]
+        for name, content in zip(names, (shown, text)):
+            name.write_text(content.rstrip("\n") + "\n")
+        done = subprocess.run(["awk", "-f", ROOT / "scripts" / "same-output.awk", *names], capture_output=True, text=True)
+    if done.returncode != 0:
+        raise SystemExit(f"{source}: a cell prints something else\n{done.stdout}")
 
 
 def image(files: Path, name: str) -> str:

@@ -2,12 +2,14 @@
 #include "engine/batch/plan_outputs.hpp"
 
 #include <chrono>
+#include <filesystem>
 #include <optional>
 #include <utility>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/batch/export/export.hpp"
+#include "engine/batch/store/store_file.hpp"
 #include "lober/base/cancellation.hpp"
 
 namespace lober {
@@ -173,6 +175,32 @@ void ProgressTimer::finish() {
   wake_.notify_one();
   if (thread_.joinable()) thread_.join();
   if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
+}
+
+std::vector<std::string> merge_stores(const std::string& target, const std::vector<std::string>& stores,
+                                      const Progress& progress) {
+  std::vector<std::string> all{target};
+  all.insert(all.end(), stores.begin(), stores.end());
+  require_different_stores(all);
+  std::vector<Store> others;
+  others.reserve(stores.size());
+  for (const std::string& store : stores) others.push_back(Store::open(store));
+  const bool is_new = !std::filesystem::exists(target);
+  std::optional<Store> joined(Store::create(target));
+  try {
+    joined->merge(others, progress);
+  } catch (...) {
+    const bool is_empty = joined->runs().empty();  // another process may have begun one there
+    joined.reset();                                // and SQLite removes its log
+    if (is_new && is_empty) std::filesystem::remove(target);
+    throw;
+  }
+  std::vector<std::string> damaged;
+  for (const Store& other : others) {
+    const std::vector<std::string> lines = survey(other).counts.damaged;
+    damaged.insert(damaged.end(), lines.begin(), lines.end());
+  }
+  return damaged;
 }
 
 BatchReport run_batch(const std::string& manifest, const BatchOptions& options) {

@@ -138,4 +138,12 @@ struct ExportCounts {
 LOBER_API ExportCounts export_results(const std::string& store, const std::string& path, ExportFormat format,
                                       const std::optional<std::string>& operation = {});
 
+/// Copies the results of stores of the same plan, as shards write them, to the store `target`, which is created where
+/// there is none: all of them, or nothing. Where two stores have the same job, a result takes the place of a failure.
+/// Returns a line for each damaged result, which is left out. Throws UsageError when a store is named twice, DataError
+/// when plans differ or when the same input was read with different contents, Cancelled when `progress` says so. The
+/// time of a read and a write of all.
+LOBER_API std::vector<std::string> merge_stores(const std::string& target, const std::vector<std::string>& stores,
+                                                const Progress& progress = {});
+
 }  // namespace lober

@@ -12,9 +12,9 @@
    arguments give the same result, and several threads call them at the same time. Those that return int return 0
    for success; otherwise the point counts as lost. They must not throw.
 
-   When a system is made, some points of its window are checked: the inverse of a map, its derivative and its action, the
-   Jacobian of a flow, its Hamiltonian and velocity_batch, with finite differences where that is needed. A system whose
-   functions do not belong together is refused, with the place and both numbers. */
+   When a system is made, some points of its window are checked: the inverse of a map, its derivative and its action,
+   the Jacobian of a flow, its Hamiltonian and velocity_batch, with finite differences where that is needed. A system
+   whose functions do not belong together is refused, with the place and both numbers. */
 #ifndef LOBER_SYSTEM_H
 #define LOBER_SYSTEM_H
 
@@ -25,10 +25,10 @@ extern "C" {
 #endif
 
 /* Raised whenever the structures below change their layout. Version 2 added the connections at the end of lober_system,
-   version 3 velocity_batch at the end of lober_flow, version 4 the ranges, the perturbation and the second lattice at the
-   end of lober_system and the period at the end of lober_section; libraries built for earlier versions are still
-   loaded. */
-#define LOBER_SYSTEM_ABI 4
+   version 3 velocity_batch at the end of lober_flow, version 4 the ranges, the perturbation and the second lattice at
+   the end of lober_system and the period at the end of lober_section, version 5 the saddles at the end of lober_system;
+   libraries built for earlier versions are still loaded. */
+#define LOBER_SYSTEM_ABI 5
 #define LOBER_MAX_DIMENSION 6 /* coordinates of a flow at most */
 
 /* The kind of a system. */
@@ -41,8 +41,9 @@ typedef struct lober_parameter {
   const char* meaning;  /* a phrase */
 } lober_parameter;
 
-/* The values of a parameter that make sense: min to max, without min or max where it is excluded. -INFINITY and INFINITY
-   (math.h) where there is no bound. Others are refused before any function of the library is called with them. */
+/* The values of a parameter that make sense: min to max, without min or max where it is excluded. -INFINITY and
+   INFINITY (math.h) where there is no bound. Others are refused before any function of the library is called with them.
+ */
 typedef struct lober_range {
   double min, max;                /* the bounds */
   int min_excluded, max_excluded; /* not 0: the bound itself is excluded */
@@ -119,9 +120,11 @@ typedef struct lober_connection {
   double bip[2];                  /* a point near that pip */
   /* Corners of the path from `to` back to `from` that the map keeps (walls, an axis) and that closes the boundary; none
      for a straight one, or where it closes itself. */
-  size_t corner_count; /* 0 .. LOBER_MAX_CORNERS */
+  size_t corner_count;                  /* 0 .. LOBER_MAX_CORNERS */
   double corners[LOBER_MAX_CORNERS][2]; /* from `to` on */
 } lober_connection;
+
+#define LOBER_MAX_SADDLES 64 /* saddles of a system at most */
 
 /* The description of a system. */
 typedef struct lober_system {
@@ -152,6 +155,12 @@ typedef struct lober_system {
   /* A second shift in another direction after which the map repeats itself, where both coordinates are angles; 0, 0 for
      none. */
   double second_lattice[2];
+  /* From version 5 on, for an autonomous flow of four dimensions with a Hamiltonian: the number of saddles whose
+     bottlenecks bound a well, for escape, tubes and levels, up to LOBER_MAX_SADDLES; 0 and NULL for none. `saddle`
+     fills in a state near number `index`; NAN for both momenta stands for those with which the position is at rest. */
+  size_t saddle_count;
+  /* Fills in saddle `index`. */
+  int (*saddle)(const double* parameters, size_t index, double state[4]);
 } lober_system;
 
 #define LOBER_EXPORT __attribute__((visibility("default"))) /* a function that the library exports */

@@ -163,6 +163,12 @@ void bind_batch(py::module_& module) {
   module.def("batch_check", check_manifest, py::arg("path"), py::arg("text"));
   module.def("batch_survey", survey_store, py::arg("store"));
   module.def("batch_export", export_table, py::arg("store"), py::arg("path"), py::arg("format"), py::arg("operation"));
+  module.def(
+      "batch_merge",
+      [](const std::string& target, const std::vector<std::string>& stores) {
+        return long_call(0, [&] { return merge_stores(target, stores); });
+      },
+      py::arg("target"), py::arg("stores"));
   module.def("batch_operations_of", operations_of, py::arg("store"));
   module.def("batch_runs", runs_of, py::arg("store"));
   module.def("batch_operations", batch_operations);

@@ -186,17 +186,40 @@ py::dict dict_of(Fields fields, const void* whole) {
 
 // ------------------------------------------------------------------------------------------------------------- call
 
-// (handle, name or None, parameters, tolerance of the integration): without a name it has no relatives.
-ops::SystemInput system_from(const py::tuple& given) {
-  if (!given[1].is_none()) {
-    IntegrationOptions integration;
-    integration.tolerance = given[3].cast<double>();
-    ops::SystemInput input =
-        ops::system_input(given[1].cast<std::string>(), given[2].cast<ParameterValues>(), integration);
-    input.system = given[0].cast<SystemHandle>();
-    return input;
+// Calls a function of the package that makes a relative of a system. Errors of it are those of the engine, so that they
+// are noted where they come up.
+System relative_by(const py::object& make, const ParameterValues& changed) {
+  const py::gil_scoped_acquire acquired;
+  try {
+    py::dict values;
+    for (const auto& [name, value] : changed) values[py::str(name)] = value;
+    return *make(values).cast<SystemHandle>();
+  } catch (const py::error_already_set& error) {
+    const py::module_ errors = py::module_::import("lober.errors");
+    const std::string text = py::str(error.value());
+    if (error.matches(errors.attr("UsageError"))) throw UsageError(text);
+    if (error.matches(errors.attr("DataError"))) throw DataError(text);
+    throw;
   }
+}
+
+// (handle, name or None, parameters, tolerance of the integration, None or a function of changed parameters that makes
+// a relative): that of a name needs no function.
+ops::SystemInput system_from(const py::tuple& given) {
   ops::SystemInput input;
+  IntegrationOptions integration;
+  integration.tolerance = given[3].cast<double>();
+  if (!given[1].is_none()) {
+    input = ops::system_input(given[1].cast<std::string>(), given[2].cast<ParameterValues>(), integration);
+  } else if (!given[4].is_none()) {
+    // Copied and destroyed in threads without the GIL.
+    const std::shared_ptr<py::object> make(new py::object(given[4]), [](const py::object* kept) {
+      const py::gil_scoped_acquire acquired;
+      delete kept;
+    });
+    input.with = [make](const ParameterValues& changed) { return relative_by(*make, changed); };
+  }
+  input.integration = integration;
   input.system = given[0].cast<SystemHandle>();
   return input;
 }

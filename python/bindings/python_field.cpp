@@ -205,7 +205,7 @@ SystemHandle make_field_system(const std::string& name, const std::string& summa
   described.info.summary = summary;
   std::vector<double> numbers;
   for (const auto& [parameter, value] : values) {
-    described.info.parameters.push_back({parameter, value, ""});
+    described.info.parameters.push_back(parameter_named(parameter, value));
     numbers.push_back(value);
   }
   described.window = rectangle_from(window);

@@ -103,7 +103,7 @@ SystemHandle make_own_system(const std::string& name, const std::string& summary
   auto system = std::make_shared<System>();
   system->info.name = name;
   system->info.summary = summary;
-  for (const auto& [parameter, value] : values) system->info.parameters.push_back({parameter, value, ""});
+  for (const auto& [parameter, value] : values) system->info.parameters.push_back(parameter_named(parameter, value));
   system->window = system->picture = rectangle_from(window);
   system->lattice = point_from(lattice);
   if (!connection.is_none()) system->connection = connection_from(connection.cast<py::tuple>());

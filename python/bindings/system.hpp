@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
+#include <string>
 
 #include "lober/dynamics/systems.hpp"
 
@@ -13,6 +14,13 @@ using SystemHandle = std::shared_ptr<System>;
 
 /// Throws UsageError for a system without a planar map.
 [[nodiscard]] const PlanarMap& map_of(const System& system);
+
+/// A parameter of a system of one's own; that called eps is the size of its perturbation.
+[[nodiscard]] inline Parameter parameter_named(const std::string& name, double value) {
+  Parameter parameter{name, value, ""};
+  parameter.perturbation = name == "eps";
+  return parameter;
+}
 
 /// (from, u_direction, to, s_direction, bip or None, corners), points as pairs; lober/_systems.py has the class.
 [[nodiscard]] Connection connection_from(const pybind11::tuple& parts);

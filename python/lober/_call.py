@@ -81,11 +81,17 @@ def _stored(name: str, value: dict[str, Any], json: str, comparisons: list[tuple
 
 def system_input(system: System, connection: Connection | None = None) -> tuple[Any, ...]:
     """The system, with a tangle of the caller's own in place of that which it is known for; and how to make its
-    relatives, where it was made from a name."""
-    if connection is not None and not is_own(system, connection):
-        return (_lober.with_connection(system._of, connection._parts()), None, [], 0.0)
+    relatives: by a name, or by a function."""
     name, values, tolerance = system._named()
-    return (system._of, name, list(values.items()), tolerance)
+    if connection is None or is_own(system, connection):
+        return system._of, name, list(values.items()), tolerance, None if name else lambda changed: system._relative(changed)._of
+
+    parts = connection._parts()
+
+    def with_it(of: _lober.System) -> _lober.System:
+        return _lober.with_connection(of, parts)
+
+    return with_it(system._of), None, [], tolerance, lambda changed: with_it(system._relative(changed)._of)
 
 
 def _setting(key: str, value: Any, kind: str) -> Any:

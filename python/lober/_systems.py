@@ -95,12 +95,15 @@ class System:
         return self._call
 
     def _named(self) -> tuple[str | None, dict[str, float], float]:
-        """Name, parameters and tolerance that make this system; no name where it was made in another way."""
-        function, arguments = self._call
-        if function is not _system_of:
-            return None, {}, 0.0
-        name, values, tolerance = arguments
-        return name, values, tolerance
+        """Name, parameters and tolerance that make this system; no name where it is one of one's own."""
+        function, (name, values, tolerance) = self._call
+        return name if function is _system_of else None, values, tolerance
+
+    def _relative(self, changed: Mapping[str, float]) -> System:
+        """The same system with other values of some parameters."""
+        function, (of, values, tolerance) = self._call
+        made: System = function(of, {**values, **changed}, tolerance)
+        return made
 
     @property
     def name(self) -> str:

@@ -18,7 +18,7 @@ import tempfile
 import warnings
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Mapping, Union
+from typing import TYPE_CHECKING, Any, Iterable, Mapping, Union
 
 from . import _dask, _lober
 from ._manifest import UNNAMED, toml_of
@@ -40,6 +40,7 @@ __all__ = [
     "Store",
     "StoreRun",
     "check",
+    "merge",
     "open",
     "operations",
     "run",
@@ -146,6 +147,26 @@ def open(store: str | os.PathLike[str]) -> Store:
     found = Store(os.fspath(store))
     _lober.batch_runs(found.path)
     return found
+
+
+def merge(target: str | os.PathLike[str], stores: Iterable[Store | str | os.PathLike[str]]) -> Store:
+    """Copies the results of stores of the same plan, as the shards of `run` write them, to the store `target`, which is made
+    where there is none; all of them, or nothing. A result takes the place of a failure of the same job.
+
+    Damaged results are left out, and `IncompleteWarning` names them. Raises UsageError where a store is named twice, DataError
+    where plans differ or an input was read with different contents.
+
+        lober.batch.merge("all.results", [f"part{k}.results" for k in range(5)])
+    """
+    _require_batches()
+    if isinstance(stores, (str, os.PathLike, Store)):
+        raise TypeError("stores is a list of stores, not one")
+    paths = [one.path if isinstance(one, Store) else os.fspath(one) for one in stores]
+    if not paths:
+        raise UsageError("stores is empty; give the stores whose results are copied")
+    for line in _lober.batch_merge(os.fspath(target), paths):
+        warnings.warn(f"{line}; it was left out", IncompleteWarning, stacklevel=2)
+    return open(target)
 
 
 def check(manifest: Manifest) -> Estimate:

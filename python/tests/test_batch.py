@@ -212,3 +212,38 @@ def test_an_interrupt_ends_a_run_and_keeps_what_is_done(tmp_path: Path) -> None:
     assert child.communicate(timeout=60)[0].endswith("interrupted\n")
     jobs = lober.batch.open(tmp_path / "all.results").jobs
     assert 0 < jobs.done < len(jobs)
+
+
+def test_stores_of_shards_are_merged(curves: Path) -> None:
+    whole = lober.batch.run(OVERLAYS, "whole.results")
+    parts = [lober.batch.run(OVERLAYS, f"part{k}.results", shard=(k, 2)) for k in (1, 2)]
+    joined = lober.batch.merge("joined.results", [parts[0], "part2.results"])
+    assert joined.path == "joined.results" and joined.jobs == lober.batch.Jobs(6, 0, 0, [])
+    np.testing.assert_array_equal(np.asarray(joined), np.asarray(whole))
+    with pytest.raises(lober.UsageError, match="are the same store"):
+        lober.batch.merge("joined.results", ["part1.results", Path("part1.results")])
+    with pytest.raises(lober.UsageError, match="stores is empty"):
+        lober.batch.merge("joined.results", [])
+    with pytest.raises(TypeError, match="a list of stores"):
+        lober.batch.merge("joined.results", "part1.results")
+    with pytest.raises(lober.DataError):
+        lober.batch.merge("new.results", ["none.results"])
+    other = lober.batch.run({**OVERLAYS, "pairs": "consecutive"}, "other.results")
+    with pytest.raises(lober.DataError, match="is for another manifest"):
+        lober.batch.merge("new.results", [parts[0], other])
+    assert not Path("new.results").exists()
+
+
+def test_exports_in_netcdf_say_what_columns_are(curves: Path) -> None:
+    netcdf = pytest.importorskip("scipy.io").netcdf_file
+    store = lober.batch.run(OVERLAYS, "whole.results")
+    store.export("table.nc")
+    columns = lober.batch.operations()["overlay"].columns
+    with netcdf("table.nc", mmap=False) as file:
+        for column in columns:
+            variable = file.variables[column.name]
+            assert getattr(variable, "units", b"").decode() == column.unit
+            assert getattr(variable, "long_name", b"").decode() == column.meaning
+            assert variable[:].tobytes() == np.asarray(store)[column.name].astype(">f8").tobytes()
+        assert any(column.unit for column in columns)
+        assert not hasattr(file.variables["job"], "units")

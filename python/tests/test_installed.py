@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 import sys
@@ -41,7 +42,7 @@ def test_versions_without_optional_packages(monkeypatch, capsys):
 
 def test_instruction_set_is_the_one_that_runs():
     code = "import lober; lober.show_versions()"
-    run = subprocess.run([sys.executable, "-c", code], env={"LOBER_ISA": "baseline"}, capture_output=True, text=True)
+    run = subprocess.run([sys.executable, "-c", code], env={**os.environ, "LOBER_ISA": "baseline"}, capture_output=True, text=True)
     assert run.returncode == 0, run.stderr
     assert re.search(r"^instructions +baseline$", run.stdout, re.MULTILINE), run.stdout
 

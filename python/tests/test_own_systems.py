@@ -322,3 +322,42 @@ def test_windows_that_do_not_fit_the_motion_are_refused():
     forward, inverse = in_units(1e-4)
     with pytest.raises(lober.DataError, match="give no derivatives"):
         lober.map(forward, inverse=inverse, name="units", window=(-1, -1, 1, 1))()
+
+
+def test_sweeps_of_families():
+    """The same rows as those of the built-in system, and Melnikov's function, whose perturbation is called eps."""
+    by_sympy = pendulum_of_sympy()
+    known = lober.system("pendulum").connection
+    branches = dict(from_=known.from_saddle, to=known.to_saddle, u_direction=known.u_direction, s_direction=known.s_direction)
+    swept = lober.sweep(by_sympy, range="eps=0.05:0.1:0.025", melnikov=True, **branches)
+    built = lober.sweep("pendulum", range="eps=0.05:0.1:0.025", melnikov=True, **branches)
+    assert swept.rows.failure == [None] * 3
+    np.testing.assert_allclose(swept.rows.lobe_area12.value, built.rows.lobe_area12.value, atol=1e-8)
+    np.testing.assert_allclose(swept.rows.first_order, built.rows.first_order, atol=1e-8)
+    # From a member the others are made by the same family.
+    again = lober.sweep(by_sympy(eps=0.3), range="eps=0.05:0.1:0.025", **branches)
+    np.testing.assert_array_equal(again.rows.lobe_area12.value, swept.rows.lobe_area12.value)
+    periodic = pendulum_of_sympy(lattice=(2 * math.pi, 0))
+    compared = lober.transport(periodic(), connection=known, iterates=1, melnikov=True).to_dict()["melnikov"]
+    assert compared["zeros"]
+    with pytest.raises(lober.UsageError, match="has no parameter 'k'"):
+        lober.sweep(by_sympy, range="k=0:1:1", **branches)
+
+
+def test_sweeps_note_values_without_a_system():
+    def between(eps):
+        if eps > 0.07:
+            raise lober.DataError("no saddle is there")
+        return lober.Connection((0, 0), (1, 1), (0, 0), (1, -1))
+
+    def fails(x, y, t, eps):
+        if eps > 0.12:
+            raise ZeroDivisionError("mine")
+        return y, x - x**3 + eps * x * np.cos(t)
+
+    options = dict(period=2 * np.pi, params={"eps": 0.05}, window=(-2, -1.2, 2, 1.2))
+    family = lober.flow(fails, connection=between, **options)
+    swept = lober.sweep(family, range="eps=0.05:0.1:0.05", tolerance=1e-3)
+    assert swept.rows.failure == [None, "no saddle is there"]
+    with pytest.raises(ZeroDivisionError, match="mine"):
+        lober.manifold_tangle(lober.flow(fails, connection=between(0), **options)(eps=0.2))

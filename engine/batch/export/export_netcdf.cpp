@@ -54,6 +54,7 @@ void put_attributes(std::string& bytes, const Attributes& attributes) {
 struct Variable {
   std::string name;
   std::size_t width = 0;
+  Attributes attributes{};
   [[nodiscard]] std::size_t size() const { return width == 0 ? sizeof(double) : (width + 3) / 4 * 4; }
 };
 
@@ -76,12 +77,13 @@ std::string head_of(std::size_t records, const std::vector<Variable>& variables,
   put_word(bytes, variables_tag);
   put_word(bytes, variables.size());
   // Offsets of all variables follow the head, whose length does not depend on them.
-  constexpr std::size_t words_of_number = 6, words_of_text = 7, of_offset = 8;
+  constexpr std::size_t words_of_number = 4, words_of_text = 5, of_offset = 8;
   std::size_t begin = bytes.size();
   for (const Variable& variable : variables) {
-    std::string name;
-    put_name(name, variable.name);
-    begin += name.size() + 4 * (variable.width == 0 ? words_of_number : words_of_text) + of_offset;
+    std::string texts_of_head;
+    put_name(texts_of_head, variable.name);
+    put_attributes(texts_of_head, variable.attributes);
+    begin += texts_of_head.size() + 4 * (variable.width == 0 ? words_of_number : words_of_text) + of_offset;
   }
   std::size_t text = 0;
   for (const Variable& variable : variables) {
@@ -89,7 +91,7 @@ std::string head_of(std::size_t records, const std::vector<Variable>& variables,
     put_word(bytes, variable.width == 0 ? 1 : 2);
     put_word(bytes, 0);
     if (variable.width > 0) put_word(bytes, ++text);
-    put_attributes(bytes, {});
+    put_attributes(bytes, variable.attributes);
     put_word(bytes, variable.width == 0 ? doubles : characters);
     put_word(bytes, variable.size());
     put_big_endian(bytes, static_cast<std::uint64_t>(begin));
@@ -122,7 +124,13 @@ void write_netcdf(OutputFile& file, const Plan& plan, const Operation& operation
   for (const SweptColumn& option : columns.swept) {
     variables.push_back({option.name, option.is_text() ? option.width : 0});
   }
-  for (const Column& column : operation.columns) variables.push_back({column.name});
+  for (const Column& column : operation.columns) {
+    Variable variable{column.name};
+    // The names of CF, which xarray and plotting programs look for.
+    if (!column.meaning.empty()) variable.attributes.emplace_back("long_name", column.meaning);
+    if (!column.unit.empty()) variable.attributes.emplace_back("units", column.unit);
+    variables.push_back(std::move(variable));
+  }
   const std::string encoded = plan.encoded();
   std::string bytes = head_of(columns.rows, variables,
                               {{"lober", std::string(version())},

@@ -131,11 +131,17 @@ std::vector<FixedPoint> detail::scan(const PlanarMap& map, const Rectangle& box,
   const double reach = 2 * grid.cell(), aside = std::max(box.width(), reach), above = std::max(box.height(), reach);
   const Rectangle around{box.min_x - aside, box.min_y - above, box.max_x + aside, box.max_y + above};
   // `met`: the map whose displacements Newton's method brings to zero first.
-  const auto follow = [&](const PlanarMap& met, const std::vector<Point>& seeds) {
+  const auto follow = [&](const PlanarMap& met, const std::vector<Point>& in_rows) {
     const std::size_t known = found.size();
-    found.resize(known + seeds.size());
+    found.resize(known + in_rows.size());
     // Whether there is work left is asked between rounds, so that it does not depend on threads.
     const std::size_t seeds_a_task = std::max<std::size_t>(16, map.batch() / 8), seeds_a_round = 2 * seeds_a_task;
+    // Each round has seeds from all of the box: the work may end after any of them.
+    const std::size_t rounds = (in_rows.size() + seeds_a_round - 1) / seeds_a_round;
+    std::vector<Point> seeds;
+    for (std::size_t first = 0; first < rounds; ++first) {
+      for (std::size_t k = first; k < in_rows.size(); k += rounds) seeds.push_back(in_rows[k]);
+    }
     for (std::size_t round = 0; round < seeds.size() && (!allowance || allowance->has(0)); round += seeds_a_round) {
       for_each_block(std::min(seeds_a_round, seeds.size() - round), seeds_a_task,
                      [&](std::size_t begin, std::size_t end) {

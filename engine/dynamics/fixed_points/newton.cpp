@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace lober::detail {
@@ -19,24 +20,32 @@ Point newton_step(const Displacement& here) {
 // Newton's method from one guess, one displacement at a time.
 class Iteration {
  public:
-  Iteration(Point guess, double extent, const Rectangle* within) : extent_(extent), within_(within), next_(guess) {}
+  Iteration(Point guess, double extent, const Rectangle* within, bool may_creep)
+      : extent_(extent), within_(within), may_creep_(may_creep), next_(guess) {}
 
   [[nodiscard]] bool ended() const { return ended_; }
   /// Where the displacement is wanted next.
   [[nodiscard]] Point next() const { return next_; }
+  /// Whether its derivative is wanted too: a shortened step is tried without, which takes a fraction of the work.
+  [[nodiscard]] bool wants_derivative() const { return halvings_ == 0 || accepted_; }
   [[nodiscard]] const NewtonEnd& best() const { return best_; }
   [[nodiscard]] bool stalled() const { return stalled_; }
 
   void take(const Displacement& here, double reach) {
-    if (++evaluations_ == max_evaluations) ended_ = stalled_ = true;
+    if (!accepted_) count_evaluation();
     if (ended_) return;
     const double residual = length(here.gap);
+    const bool better = residual < best_.residual;
+    if (!wants_derivative() && better) {
+      accepted_ = true;
+      return;
+    }
     if (round_ == 0) {
       z_ = next_;
       best_ = {z_, residual, false};
-    } else if (close_ || residual < best_.residual) {
+    } else if (close_ || better || accepted_) {
       z_ = next_;
-      if (residual < best_.residual) {
+      if (better) {
         best_ = {z_, residual, false};
       } else if (!std::isfinite(residual) || round_ > min_rounds) {
         ended_ = true;
@@ -55,12 +64,26 @@ class Iteration {
   }
 
  private:
-  // An iteration that has not converged by then is on its way to nowhere, where orbits may be long.
+  // An iteration that has not converged by then is on its way to nowhere, where orbits may be long. One that creeps
+  // mostly follows a valley of the displacement whose floor is above zero.
   static constexpr int max_rounds = 60, min_rounds = 8, max_halvings = 12, max_evaluations = 150;
+  static constexpr int creep_evaluations = 15;
+  static constexpr double creep = 0.9;
+
+  void count_evaluation() {
+    ++evaluations_;
+    if (evaluations_ == max_evaluations) ended_ = stalled_ = true;
+    if (evaluations_ % creep_evaluations != 1) return;
+    if (!may_creep_ && evaluations_ > 1 && !close_ && best_.residual > creep * earlier_residual_) {
+      ended_ = stalled_ = true;
+    }
+    earlier_residual_ = evaluations_ > 1 ? best_.residual : std::numeric_limits<double>::infinity();
+  }
 
   void step_from(const Displacement& here, double reach) {
     ++round_;
     halvings_ = 0;
+    accepted_ = false;
     step_ = newton_step(here);
     const double size = length(step_);
     ended_ = round_ == max_rounds || !(best_.residual > 0) || !std::isfinite(size);
@@ -75,9 +98,12 @@ class Iteration {
 
   double extent_;
   const Rectangle* within_;
+  bool may_creep_;
   Point z_{}, step_{}, next_;
   NewtonEnd best_{};
+  double earlier_residual_ = std::numeric_limits<double>::infinity();
   int round_ = 0, halvings_ = 0, evaluations_ = 0;
+  bool accepted_ = false;  // a shortened step, whose derivative is wanted now
   bool close_ = false, ended_ = false, stalled_ = false;
 };
 
@@ -112,19 +138,33 @@ std::vector<NewtonEnd> newton(const PlanarMap& map, std::span<const Point> guess
                               double reach, const Rectangle* within) {
   std::vector<Iteration> iterations;
   iterations.reserve(guesses.size());
-  for (const Point guess : guesses) iterations.emplace_back(guess, options.extent, within);
+  // In searches of flows the work is better spent on a finer grid than on iterations that creep.
+  const bool may_creep = within == nullptr || map.work() + map.work_of_derivatives() == 0;
+  for (const Point guess : guesses) iterations.emplace_back(guess, options.extent, within, may_creep);
   std::vector<std::size_t> open(guesses.size());
   std::iota(open.begin(), open.end(), std::size_t{0});
+  std::vector<std::size_t> with_derivative, without;
   while (!open.empty()) {
-    std::vector<Point> points;
-    points.reserve(open.size());
-    for (const std::size_t k : open) points.push_back(iterations[k].next());
-    std::vector<Matrix2> derivatives(points.size());
-    map.iterate_with_derivatives(points, options.period, derivatives);
-    for (std::size_t i = 0; i < open.size(); ++i) {
-      const Point from = iterations[open[i]].next();
-      const Point gap{points[i].x - from.x - options.shift.x, points[i].y - from.y - options.shift.y};
-      iterations[open[i]].take({gap, derivatives[i]}, reach);
+    with_derivative.clear();
+    without.clear();
+    for (const std::size_t k : open) (iterations[k].wants_derivative() ? with_derivative : without).push_back(k);
+    for (const std::vector<std::size_t>* const some : {&with_derivative, &without}) {
+      if (some->empty()) continue;
+      std::vector<Point> points;
+      points.reserve(some->size());
+      for (const std::size_t k : *some) points.push_back(iterations[k].next());
+      std::vector<Matrix2> derivatives(points.size());
+      if (some == &without) {
+        map.iterate(points, options.period);
+      } else {
+        map.iterate_with_derivatives(points, options.period, derivatives);
+      }
+      for (std::size_t i = 0; i < some->size(); ++i) {
+        Iteration& iteration = iterations[(*some)[i]];
+        const Point from = iteration.next();
+        const Point gap{points[i].x - from.x - options.shift.x, points[i].y - from.y - options.shift.y};
+        iteration.take({gap, derivatives[i]}, reach);
+      }
     }
     std::erase_if(open, [&](std::size_t k) { return iterations[k].ended(); });
   }

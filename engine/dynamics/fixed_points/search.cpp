@@ -134,7 +134,8 @@ FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
   const std::unique_ptr<HalfWayMap> half_way = half_way_map(map);
   const SearchAllowance allowance(map, half_way.get(), options);
   const double an_image = work_of_image(map, box, options);
-  const std::optional<int> edge = index_of_edge(map, box, options, an_image, allowance);
+  // Not wanted before all points of a grid have images.
+  std::optional<std::optional<int>> edge;
   FixedPointOptions each = options;
   const double maps = half_way ? 2 : 1;
   const auto work_of_grid = [&] { return maps * an_image * each.grid * each.grid; };
@@ -164,7 +165,9 @@ FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
       search.index_sum += index_of(point, options.period);
       degenerate = degenerate || index_of(point, options.period) == 0;
     }
-    search.index_of_box = degenerate || !grid.all_have_images() ? std::nullopt : edge;
+    const bool defined = !degenerate && grid.all_have_images();
+    if (defined && !edge) edge = index_of_edge(map, box, options, an_image, allowance);
+    search.index_of_box = defined ? *edge : std::nullopt;
     search.settled = same && (!search.index_of_box || *search.index_of_box == search.index_sum);
     if (search.out_of_work) search.settled = false;
     if (search.settled || search.out_of_work || each.grid == max_grid) return search;

@@ -19,6 +19,7 @@
 #include "engine/dynamics/maps/jet.hpp"
 #include "kernels/inline.hpp"
 #include "lober/dynamics/flow.hpp"
+#include "lober/dynamics/vector_field.hpp"
 
 namespace lober::detail {
 
@@ -62,6 +63,11 @@ inline IntegrationOptions with_rough_derivatives(IntegrationOptions options) {
   return options;
 }
 
+/// The velocities of points and their derivatives along tangent vectors, by differences, with one call of the field for
+/// some thousand of them. x: coordinates, then those of each vector, as wide steps have them; dxdt likewise.
+void velocities_with_tangents(const VectorField& field, std::size_t tangents, std::size_t count, const double* x,
+                              const double* t, double* dxdt);
+
 /// State: x, then M tangent vectors; v' = (d velocity / dx) v.
 template <typename Field, int M>
 struct WithTangents {
@@ -84,6 +90,10 @@ struct WithTangents {
     }
   }
   void many(std::size_t count, const double* x, const double* t, double* dxdt) const requires is_many<Field> {
+    if (lober::detail::has_rough_derivatives(field)) {
+      velocities_with_tangents(field.many(), M, count, x, t, dxdt);
+      return;
+    }
     field.many().velocities(count, x, t, dxdt);
     std::vector<double> jacobian(static_cast<std::size_t>(n * n) * count);
     field.many().jacobians(count, x, t, jacobian.data());

@@ -14,6 +14,7 @@
 #include "engine/dynamics/systems/entries.hpp"
 #include "engine/dynamics/systems/library_checks.hpp"
 #include "lober/base/error.hpp"
+#include "lober/dynamics/periodic_orbit.hpp"
 #include "lober/dynamics/vector_field.hpp"
 
 namespace lober::detail {
@@ -184,6 +185,26 @@ void set_connections(System& made, const lober_system& system, std::span<const d
   made.further_needed = system.all_bound_region_1 != 0;
 }
 
+/// Sets the saddles that a library of version 5 describes; the flow is made.
+void set_saddles(System& made, const lober_system& system, std::span<const double> values) {
+  if (system.abi < 5) return;
+  for (std::size_t k = 0; k < system.saddle_count; ++k) {
+    const std::string where = std::string("system ") + system.name + ": saddle " + std::to_string(k);
+    FlowState state{};
+    if (system.saddle(values.data(), k, state.data()) != 0) {
+      throw DataError(where + " is not given for these parameters");
+    }
+    const std::span<const ConjugatePair> pairs = made.flow->conjugate_pairs();
+    const auto is_nan = [&](const ConjugatePair& pair) { return std::isnan(state[static_cast<std::size_t>(pair.p)]); };
+    if (std::all_of(pairs.begin(), pairs.end(), is_nan)) {
+      const auto position = [&](std::size_t pair) { return state[static_cast<std::size_t>(pairs[pair].q)]; };
+      state = state_at_rest(*made.flow, {position(0), position(1)});
+    }
+    if (!all_finite(state)) throw DataError(where + " has a number that is not finite for these parameters");
+    made.saddles.push_back(state);
+  }
+}
+
 }  // namespace
 
 System make_loaded_system(const Library& library, const lober_system& system, std::span<const double> values,
@@ -201,7 +222,9 @@ System make_loaded_system(const Library& library, const lober_system& system, st
       throw UsageError("system " + made.info.name + ": its period is not positive");
     }
     if (flow.section != nullptr) made.section = section_of(*flow.section, system.abi);
-    return make_system(std::make_shared<LoadedField>(loaded), std::move(made), field_map_of(system, values), options);
+    made = make_system(std::make_shared<LoadedField>(loaded), std::move(made), field_map_of(system, values), options);
+    set_saddles(made, system, values);
+    return made;
   }
   if (system.map->action != nullptr) {
     made.map = std::make_shared<FormulaMap<LoadedMapWithAction>>(LoadedMapWithAction(loaded));

@@ -100,6 +100,14 @@ const char* fault(const lober_system* system) {
   if (system->abi >= 2 && system->connection_count > LOBER_MAX_CONNECTIONS) {
     return "connection_count is more than LOBER_MAX_CONNECTIONS, 64";
   }
+  if (system->abi >= 5 && system->saddle_count != 0) {
+    if (system->saddle == nullptr) return "saddle is null";
+    if (system->saddle_count > LOBER_MAX_SADDLES) return "saddle_count is more than LOBER_MAX_SADDLES, 64";
+    const lober_flow* const flow = system->kind == LOBER_FLOW ? system->flow : nullptr;
+    if (flow == nullptr || flow->dimension != 4 || flow->period != nullptr || flow->hamiltonian == nullptr) {
+      return "saddles are those of an autonomous flow of four dimensions with a Hamiltonian";
+    }
+  }
   if (!all_finite(system->window)) return "the window has a number that is not finite";
   if (!all_finite(system->lattice) || (system->abi >= 4 && !all_finite(system->second_lattice))) {
     return "the lattice has a number that is not finite";

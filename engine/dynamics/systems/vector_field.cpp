@@ -2,54 +2,98 @@
 #include "lober/dynamics/vector_field.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "engine/dynamics/maps/right_hand_sides.hpp"
 #include "engine/dynamics/systems/library_checks.hpp"
 #include "engine/dynamics/systems/own_field.hpp"
 #include "lober/base/error.hpp"
 
 namespace lober {
 
+namespace {
+
+// Central differences of order 4, with steps of this part of the size of a state.
+constexpr std::array<double, 4> offsets{1, -1, 2, -2};
+constexpr double step_part = 1e-3;
+
+double step_at(const VectorField& field, std::size_t count, const double* x, std::size_t k) {
+  double size = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(field.dimension()); ++i) {
+    size = std::max(size, std::fabs(x[i * count + k]));
+  }
+  return step_part * std::min(1 + size, field.extent());
+}
+
+}  // namespace
+
 void VectorField::jacobians(std::size_t count, const double* x, const double* t, double* jacobian) const {
-  // At x + h, x - h, x + 2 h and x - 2 h along each coordinate, some thousand points at a time.
-  constexpr std::size_t around = 4, max_points = 8192;
-  constexpr double offsets[around] = {1, -1, 2, -2};
-  constexpr double part = 1e-3;
   const auto n = static_cast<std::size_t>(dimension());
-  const std::size_t each = around * n, chunk = std::max<std::size_t>(1, max_points / each);
-  std::vector<double> from, to, times, steps;
+  // The derivatives along the axes, each as a tangent vector.
+  std::vector<double> with_axes(n * (1 + n) * count), slopes(n * (1 + n) * count);
+  std::copy_n(x, n * count, with_axes.begin());
+  for (std::size_t j = 0; j < n; ++j)
+    std::fill_n(with_axes.begin() + static_cast<std::ptrdiff_t>((n * (1 + j) + j) * count), count, 1.0);
+  detail::velocities_with_tangents(*this, n, count, with_axes.data(), t, slopes.data());
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      std::copy_n(slopes.data() + (n * (1 + j) + i) * count, count, jacobian + (i * n + j) * count);
+    }
+  }
+}
+
+void detail::velocities_with_tangents(const VectorField& field, std::size_t tangents, std::size_t count,
+                                      const double* x, const double* t, double* dxdt) {
+  // The point itself, and x + h v, x - h v, x + 2 h v and x - 2 h v for each tangent vector, some thousand at a time.
+  constexpr std::size_t max_points = 16384;
+  const auto n = static_cast<std::size_t>(field.dimension());
+  const std::size_t each = 1 + offsets.size() * tangents, chunk = std::max<std::size_t>(1, max_points / each);
+  std::vector<double> from, to, times, steps, lengths;
   for (std::size_t first = 0; first < count; first += chunk) {
     const std::size_t some = std::min(chunk, count - first), all = each * some;
     from.resize(n * all);
     to.resize(n * all);
     times.resize(all);
     steps.resize(some);
-    for (std::size_t k = 0; k < some; ++k) {
-      double size = 0;
-      for (std::size_t i = 0; i < n; ++i) size = std::max(size, std::fabs(x[i * count + first + k]));
-      steps[k] = part * std::min(1 + size, extent());
-    }
-    for (std::size_t moved = 0; moved < n; ++moved) {
-      for (std::size_t a = 0; a < around; ++a) {
-        const std::size_t column = (moved * around + a) * some;
-        for (std::size_t k = 0; k < some; ++k) {
-          for (std::size_t i = 0; i < n; ++i) from[i * all + column + k] = x[i * count + first + k];
-          from[moved * all + column + k] += offsets[a] * steps[k];
-          times[column + k] = t[first + k];
+    lengths.resize(some);
+    for (std::size_t k = 0; k < some; ++k) steps[k] = step_at(field, count, x, first + k);
+    for (std::size_t i = 0; i < n; ++i) std::copy_n(x + i * count + first, some, from.data() + i * all);
+    for (std::size_t column = 0; column < each; ++column) std::copy_n(t + first, some, times.data() + column * some);
+    const auto length_of = [&](std::size_t m) {
+      std::fill(lengths.begin(), lengths.end(), 0.0);
+      for (std::size_t i = 0; i < n; ++i) {
+        const double* const v = x + (n * (1 + m) + i) * count + first;
+        for (std::size_t k = 0; k < some; ++k) lengths[k] = std::max(lengths[k], std::fabs(v[k]));
+      }
+    };
+    for (std::size_t m = 0; m < tangents; ++m) {
+      length_of(m);
+      for (std::size_t a = 0; a < offsets.size(); ++a) {
+        const std::size_t column = (1 + m * offsets.size() + a) * some;
+        for (std::size_t i = 0; i < n; ++i) {
+          const double* const v = x + (n * (1 + m) + i) * count + first;
+          double* const at = from.data() + i * all;
+          for (std::size_t k = 0; k < some; ++k) {
+            at[column + k] = at[k] + (lengths[k] > 0 ? offsets[a] * steps[k] * (v[k] / lengths[k]) : 0);
+          }
         }
       }
     }
-    velocities(all, from.data(), times.data(), to.data());
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) {
-        const double* const at = to.data() + i * all + j * around * some;
+    field.velocities(all, from.data(), times.data(), to.data());
+    for (std::size_t i = 0; i < n; ++i) std::copy_n(to.data() + i * all, some, dxdt + i * count + first);
+    for (std::size_t m = 0; m < tangents; ++m) {
+      length_of(m);
+      for (std::size_t i = 0; i < n; ++i) {
+        const double* const at = to.data() + i * all + (1 + m * offsets.size()) * some;
+        double* const slope = dxdt + (n * (1 + m) + i) * count + first;
         for (std::size_t k = 0; k < some; ++k) {
           const double near = at[k] - at[some + k], far = at[2 * some + k] - at[3 * some + k];
-          jacobian[(i * n + j) * count + first + k] = (8 * near - far) / (12 * steps[k]);
+          slope[k] = lengths[k] * ((8 * near - far) / (12 * steps[k]));
         }
       }
     }

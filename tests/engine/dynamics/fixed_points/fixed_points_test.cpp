@@ -10,6 +10,7 @@
 #include "engine/dynamics/maps/plane.hpp"
 #include "kernels/box.hpp"
 #include "lober/base/error.hpp"
+#include "tests/paths.hpp"
 
 namespace lober::detail {
 namespace {
@@ -128,6 +129,35 @@ TEST(FixedPoints, ScanFindsSaddlesOfLargeMultipliers) {
       }
       EXPECT_EQ(strong, 1);
     }
+  }
+}
+
+// A library that computes one velocity at a time takes ten times the work of a built-in system. The points are counted
+// by another route: the force is even in time, so that points on y = 0 are those whose velocity is zero half a period
+// later.
+TEST(FixedPoints, TheDoubleWellOfALibraryHasAllItsPoints) {
+  const System own = make_system(LOBER_TEST_LIBRARIES "/double_well.so");
+  constexpr double half = 3.14159265358979323846;
+  constexpr std::size_t count = 3601;
+  std::vector<FlowState> states(count);
+  for (std::size_t k = 0; k < count; ++k) states[k][0] = -1.8 + 0.001 * static_cast<double>(k);
+  own.flow->integrate(states, 0, half, {});
+  std::vector<double> expected;
+  for (std::size_t k = 0; k + 1 < count; ++k) {
+    const double a = states[k][1], b = states[k + 1][1];
+    if (a * b < 0) expected.push_back(-1.8 + 0.001 * (static_cast<double>(k) + a / (a - b)));
+  }
+  ASSERT_EQ(expected.size(), 9U);
+  for (const int grid : {12, 48}) {
+    SCOPED_TRACE(grid);
+    const FixedPointSearch found = search_fixed_points(*own.map, own.window, {.grid = grid});
+    ASSERT_EQ(found.points.size(), expected.size());
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+      EXPECT_NEAR(found.points[k].at.x, expected[k], 1e-5);
+      EXPECT_NEAR(found.points[k].at.y, 0, 1e-11);
+    }
+    EXPECT_EQ(found.index_of_box, std::optional<int>(1));
+    EXPECT_EQ(found.index_sum, 1);
   }
 }
 

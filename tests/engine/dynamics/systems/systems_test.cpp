@@ -8,6 +8,7 @@
 #include "engine/dynamics/dynamics.hpp"
 #include "kernels/point.hpp"
 #include "lober/base/error.hpp"
+#include "lober/dynamics/periodic_orbit.hpp"
 #include "tests/paths.hpp"
 #include "tests/refusal.hpp"
 
@@ -271,6 +272,25 @@ TEST(Systems, LibrariesDeclareAnglesAndRanges) {
       mentions(system_refusal<DataError>(path + "2.so"), "the default of parameter C, 1, is outside of its range"));
   EXPECT_TRUE(mentions(system_refusal<DataError>(path + "3.so"),
                        "the perturbation is called D, but no parameter has this name"));
+}
+
+// Saddles of a library are those of the built-in system, and Hill's region and the bottlenecks with them.
+TEST(Systems, LibrariesDeclareSaddles) {
+  const std::string path = LOBER_TEST_LIBRARIES "/three_body_";
+  const System own = make_system(path + "0.so"), built_in = make_system("pcr3bp");
+  ASSERT_EQ(own.saddles.size(), built_in.saddles.size());
+  for (std::size_t k = 0; k < own.saddles.size(); ++k) {
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(own.saddles[k][i], built_in.saddles[k][i], 1e-12);
+    const SaddlePoint mine = saddle_point(*own.flow, own.saddles[k]);
+    const SaddlePoint theirs = saddle_point(*built_in.flow, built_in.saddles[k]);
+    EXPECT_NEAR(mine.energy, theirs.energy, 1e-13);
+    EXPECT_NEAR(mine.at[0], theirs.at[0], 1e-12);
+  }
+  EXPECT_TRUE(mentions(system_refusal<DataError>(path + "1.so"), "saddle 0 has a number that is not finite"));
+  EXPECT_TRUE(mentions(system_refusal<DataError>(path + "2.so"), "saddle 0 is not given for these parameters"));
+  EXPECT_TRUE(mentions(system_refusal<DataError>(path + "3.so"), "saddle_count is more than LOBER_MAX_SADDLES, 64"));
+  EXPECT_TRUE(mentions(system_refusal<DataError>(path + "4.so"), "saddle is null"));
+  EXPECT_TRUE(mentions(system_refusal<DataError>(path + "5.so"), "saddles are those of an autonomous flow of four"));
 }
 
 TEST(Systems, RangesInWords) {
