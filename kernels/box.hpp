@@ -44,7 +44,7 @@ inline bool meet(const Box& a, const Box& b) {
 }
 
 /// Whether it holds one point alone: then so do the segments in it, and repeated vertices carry none.
-inline bool is_point(const Box& box) {
+LOBER_INLINE bool is_point(const Box& box) {
   return box.lane[0] == -box.lane[2] && box.lane[1] == -box.lane[3];
 }
 

@@ -38,9 +38,9 @@ docs/paper/fig-06a.svg       cheap   tangle --system pcr3bp --tolerance 1e-4 --w
 docs/paper/fig-06b.svg       cheap   tangle --system pcr3bp --tolerance 1e-4 --labels --svg
 docs/paper/fig-07.svg        cheap   interior examples/six-crossings.dat#C1 examples/six-crossings.dat#C2 --svg
 docs/paper/fig-09a.svg       cheap   levels ovp --param eps=0 --box=-3,-3,3,3 --svg
-docs/paper/fig-11a.svg       cheap   tangle --system ovp --param gamma=0.5 --after 1 --before 2 --tolerance 1e-4 --inset=-1.6,-0.05,-0.85,0.9 --svg
+docs/paper/fig-11a.svg       cheap   tangle --system ovp --param gamma=0.5 --after 1 --before 2 --tolerance 1e-4 --inset=-1.55,-0.05,-0.85,0.9 --svg
 docs/paper/fig-11b.svg       cheap   tangle --system ovp --param gamma=1.81 --after 1 --before 2 --tolerance 1e-4 --window=-2,-0.1,2.2,2.1 --inset=-1.7,-0.05,-1.1,0.6 --svg
-docs/paper/fig-11c.svg       cheap   tangle --system ovp1 --param gamma=0.5 --after 1 --before 2 --tolerance 1e-4 --inset=-1.6,-0.05,-0.85,0.9 --svg
+docs/paper/fig-11c.svg       cheap   tangle --system ovp1 --param gamma=0.5 --after 1 --before 2 --tolerance 1e-4 --inset=-1.55,-0.05,-0.85,0.9 --svg
 docs/paper/fig-11d.svg       cheap   tangle --system ovp1 --param gamma=1.81 --after 1 --before 2 --tolerance 1e-4 --window=-2,-0.1,2.2,2.1 --inset=-1.7,-0.05,-1.1,0.6 --svg
 docs/paper/fig-11e.svg       cheap   tangle --system ovp --param gamma=0.5 --param eps=0.5 --after 1 --tolerance 1e-4 --svg
 docs/paper/fig-11f.svg       cheap   tangle --system ovp --param gamma=1.81 --param eps=0.5 --tolerance 1e-3 --max-work 1e9 --svg

@@ -117,7 +117,7 @@ Option add_picture_options(OptionParser& parser, PictureRequest& request, const 
               "--title", [&request](const std::string& text) { request.title = text; },
               "The line above the picture, with _{...} for subscripts and ^{...} for superscripts (default: the system "
               "and its parameters, or the curves).")
-          .value("TEXT")
+          .value("TITLE")
           .needs(picture);
   parser.add_flag("--no-title", request.no_title, "Leave out the line above the picture.")
       .needs(picture)

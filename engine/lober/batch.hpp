@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "lober/base/export.hpp"
+#include "lober/base/progress.hpp"
 
 namespace lober {
 
