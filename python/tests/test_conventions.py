@@ -21,8 +21,8 @@ import lober
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 C1, C2 = (lober.read(EXAMPLES / name) for name in ("resonance.dat", "resonance_image.dat"))
 U = np.stack([np.linspace(0, 6, 400), np.sin(np.linspace(0, 6, 400))], axis=1)
-#: Members of the program's JSON that say what was asked for, and how long it took.
-ABOUT = ("program", "command", "inputs", "system", "options", "timing", "curve", "points_file")
+#: Members of the program's JSON that say what was asked for, of which bytes, and how long it took.
+ABOUT = ("program", "command", "inputs", "sha256", "system", "options", "timing", "curve", "points_file")
 FILES = [str(EXAMPLES / "resonance.dat"), str(EXAMPLES / "resonance_image.dat")]
 
 #: A call, and the command of the program that is the same.
