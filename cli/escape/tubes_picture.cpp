@@ -6,6 +6,7 @@
 
 #include "cli/escape/tube_surfaces.hpp"
 #include "cli/picture/system_figure.hpp"
+#include "lober/curve/drawing.hpp"
 
 namespace lober::cli {
 namespace {

@@ -10,6 +10,7 @@
 #include "cli/picture/panels.hpp"
 #include "cli/picture/ticks.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/paths.hpp"
 
 namespace lober::cli {
 namespace {
