@@ -9,6 +9,7 @@
 
 #include "bench/accuracy/accuracy.hpp"
 #include "bench/harness/measure.hpp"
+#include "bench/harness/program.hpp"
 #include "bench/harness/table.hpp"
 #include "engine/base/parallel/parallel.hpp"
 
@@ -102,13 +103,5 @@ int run(int count, char** arguments) {
 }  // namespace lober::bench
 
 int main(int count, char** arguments) {
-  try {
-    return lober::bench::run(count, arguments);
-  } catch (const std::invalid_argument& error) {
-    std::cerr << error.what() << '\n';
-    return 2;
-  } catch (const std::exception& error) {
-    std::cerr << "bench_accuracy: " << error.what() << '\n';
-    return 1;
-  }
+  return lober::bench::exit_status("bench_accuracy", [&] { return lober::bench::run(count, arguments); });
 }

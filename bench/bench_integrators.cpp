@@ -1,7 +1,6 @@
 // Time against error of methods for ordinary differential equations: the one of lober, others in the same vectors with
 // the same driver, and other libraries one point at a time. Prints tables; --plot FILE draws the first of them.
 #include <array>
-#include <exception>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
@@ -10,6 +9,7 @@
 
 #include "bench/accuracy/accuracy.hpp"
 #include "bench/harness/measure.hpp"
+#include "bench/harness/program.hpp"
 #include "bench/integrators/contenders.hpp"
 #include "bench/integrators/measurement.hpp"
 #include "bench/integrators/problems.hpp"
@@ -166,14 +166,8 @@ void run(const Options& options) {
 }  // namespace lober::bench
 
 int main(int count, char** arguments) {
-  try {
+  return lober::bench::exit_status("bench_integrators", [&] {
     lober::bench::run(lober::bench::read_options(count, arguments));
     return 0;
-  } catch (const std::invalid_argument& error) {
-    std::cerr << error.what() << '\n';
-    return 2;
-  } catch (const std::exception& error) {
-    std::cerr << "bench_integrators: " << error.what() << '\n';
-    return 1;
-  }
+  });
 }

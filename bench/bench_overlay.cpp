@@ -3,7 +3,6 @@
 // Not a Google Benchmark suite, because what counts here are ratios: to a streaming pass over the same points
 // in the same process, with and without parts of the work, and to other libraries, each in a process of its
 // own.
-#include <exception>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -11,6 +10,7 @@
 
 #include "bench/harness/child.hpp"
 #include "bench/harness/options.hpp"
+#include "bench/harness/program.hpp"
 #include "bench/harness/sections.hpp"
 
 namespace lober::bench {
@@ -43,13 +43,5 @@ int run(int count, char** arguments) {
 }  // namespace lober::bench
 
 int main(int count, char** arguments) {
-  try {
-    return lober::bench::run(count, arguments);
-  } catch (const std::invalid_argument& error) {
-    std::cerr << "bench_overlay: " << error.what() << '\n';
-    return 2;
-  } catch (const std::exception& error) {
-    std::cerr << "bench_overlay: " << error.what() << '\n';
-    return 1;
-  }
+  return lober::bench::exit_status("bench_overlay", [&] { return lober::bench::run(count, arguments); });
 }

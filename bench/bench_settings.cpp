@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bench/harness/measure.hpp"
+#include "bench/harness/program.hpp"
 #include "bench/harness/table.hpp"
 #include "cli/picture/panels.hpp"
 #include "engine/base/parallel/parallel.hpp"
@@ -169,13 +170,5 @@ int run(int count, char** arguments) {
 }  // namespace lober::bench
 
 int main(int count, char** arguments) {
-  try {
-    return lober::bench::run(count, arguments);
-  } catch (const std::invalid_argument& error) {
-    std::cerr << error.what() << '\n';
-    return 2;
-  } catch (const std::exception& error) {
-    std::cerr << "bench_settings: " << error.what() << '\n';
-    return 1;
-  }
+  return lober::bench::exit_status("bench_settings", [&] { return lober::bench::run(count, arguments); });
 }

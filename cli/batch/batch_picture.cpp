@@ -67,23 +67,26 @@ HeatAxis names_axis(const std::string& name, std::vector<std::string> names) {
   return HeatAxis::of_names(name + " curve, iterate of " + base, std::move(iterates));
 }
 
-// The different values of a name, in order, and the number of each.
+// The different values of a name, in order, and the position of each.
 struct Steps {
   std::vector<Json> values;
+  std::map<Json, std::size_t> positions;
 
   Steps(const JobValues& jobs, const std::vector<std::size_t>& chosen, const std::string& name) {
     for (const std::size_t k : chosen) {
       const Json& value = jobs.value(k, name);
-      if (!value.is_null() && std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
+      if (!value.is_null() && positions.emplace(value, values.size()).second) values.push_back(value);
     }
-    if (are_numbers()) std::sort(values.begin(), values.end());
+    if (!are_numbers()) return;
+    std::sort(values.begin(), values.end());
+    for (std::size_t k = 0; k < values.size(); ++k) positions[values[k]] = k;
   }
   [[nodiscard]] bool are_numbers() const {
     return std::all_of(values.begin(), values.end(), [](const Json& value) { return value.is_number(); });
   }
   [[nodiscard]] std::optional<std::size_t> number_of(const Json& value) const {
-    const auto found = std::find(values.begin(), values.end(), value);
-    return found == values.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - values.begin()));
+    const auto found = positions.find(value);
+    return found == positions.end() ? std::nullopt : std::optional(found->second);
   }
   [[nodiscard]] HeatAxis axis(const std::string& name, std::size_t max_names = 12) const {
     if (are_numbers()) {

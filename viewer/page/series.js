@@ -7,7 +7,7 @@ const LONG = 64, BREAK = 129; // symbols, less the bits of the number
 
 const double = new Float64Array(1), words = new Uint32Array(double.buffer);
 
-// The double that is so many doubles after `value` as the number says: 2 n, or -2 n - 1 for n < 0.
+// The double n doubles after `value`, where the number is 2 n, or -2 n - 1 for n < 0.
 function moved(value, low, high) {
   double[0] = value;
   let [l, h] = words;

@@ -217,7 +217,7 @@ NearLeaves::NearLeaves(const BoxTree& tree, SearchCounts& counts) {
   std::vector<std::uint32_t> leaves;
   leaves.reserve(tree.leaves());
   for (std::uint32_t k = 0; k < tree.leaves(); ++k) {
-    if (!tree.stalls() || !is_point(tree.leaf_boxes()[k])) leaves.push_back(k);
+    if (!is_point(tree.leaf_boxes()[k])) leaves.push_back(k);
   }
   const std::optional<std::vector<LeafPair>> pairs = Window(tree, strips, tree.box(), std::move(leaves)).search(counts);
   is_complete_ = pairs.has_value();
