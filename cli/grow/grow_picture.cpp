@@ -56,7 +56,7 @@ Layer growth_diagnostic_layer(const GrownManifold& manifold, GrowthDiagnosticCau
 Rectangle box_of_points_in(const Rectangle& box, std::span<const Point> points) {
   Rectangle found;
   for (const Point& p : points) {
-    if (p.x >= box.min_x && p.x <= box.max_x && p.y >= box.min_y && p.y <= box.max_y) found.add(p);
+    if (box.contains(p)) found.add(p);
   }
   return found.empty() ? box : found;
 }

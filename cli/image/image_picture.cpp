@@ -64,14 +64,11 @@ void add_names(Figure& figure, const operations::CurveImages& found) {
       for (const ImagePart& part : other.parts) nearer = include(nearer, part.points);
     }
     const Rectangle& window = figure.window;
-    const auto in_window = [&](Point p) {
-      return p.x >= window.min_x && p.x <= window.max_x && p.y >= window.min_y && p.y <= window.max_y;
-    };
     double farthest = 0;
     Point at{};
     for (const ImagePart& part : one.parts) {
       for (const Point& point : part.points) {
-        if (nearer.empty() || !in_window(point)) continue;
+        if (nearer.empty() || !window.contains(point)) continue;
         const double beyond =
             std::max({(point.x - nearer.max_x) / window.width(), (nearer.min_x - point.x) / window.width(),
                       (point.y - nearer.max_y) / window.height(), (nearer.min_y - point.y) / window.height()});
@@ -97,9 +94,7 @@ Figure image_figure(const ImageReport& report) {
   for (const auto& one : found.images) {
     for (const ImagePart& part : one.parts) {
       for (const Point& point : part.points) {
-        if (point.x >= box.min_x && point.x <= box.max_x && point.y >= box.min_y && point.y <= box.max_y) {
-          window.add(point);
-        }
+        if (box.contains(point)) window.add(point);
       }
     }
   }

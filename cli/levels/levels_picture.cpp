@@ -103,9 +103,7 @@ Figure levels_figure(const LevelsReport& report) {
   saddles.shape = DotShape::square;
   for (const Equilibrium& saddle : report.result().saddles) {
     const Point at{saddle.at.x, saddle.at.y};
-    if (at.x >= window.min_x && at.x <= window.max_x && at.y >= window.min_y && at.y <= window.max_y) {
-      saddles.points.push_back(at);
-    }
+    if (window.contains(at)) saddles.points.push_back(at);
   }
   if (!saddles.points.empty()) figure.layers.push_back(std::move(saddles));
   return figure;

@@ -30,9 +30,7 @@ class View {
   }
   [[nodiscard]] const Rectangle& window() const { return window_; }
   [[nodiscard]] const Frame& frame() const { return frame_; }
-  [[nodiscard]] bool contains(Point p) const {
-    return p.x >= window_.min_x && p.x <= window_.max_x && p.y >= window_.min_y && p.y <= window_.max_y;
-  }
+  [[nodiscard]] bool contains(Point p) const { return window_.contains(p); }
   /// Lengths of the plane in a point of print.
   [[nodiscard]] long double unit_x() const { return 1 / scale_x_; }
   [[nodiscard]] long double unit_y() const { return 1 / scale_y_; }

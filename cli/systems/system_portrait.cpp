@@ -94,9 +94,8 @@ std::vector<Point> manifold_of(const System& system, const Connection& connectio
   try {
     const operations::Outcome outcome = operation.run(std::array<operations::Input, 1>{input}, options, context);
     const auto& manifold = outcome.as<operations::SystemManifold>();
-    const auto end = std::find_if(manifold.points.begin(), manifold.points.end(), [&](Point p) {
-      return !(p.x >= room.min_x && p.x <= room.max_x && p.y >= room.min_y && p.y <= room.max_y);
-    });
+    const auto end =
+        std::find_if(manifold.points.begin(), manifold.points.end(), [&](Point p) { return !room.contains(p); });
     return {manifold.points.begin(), end};
   } catch (const DataError&) {
     return {};  // a portrait shows those that there are

@@ -90,10 +90,7 @@ class Iteration {
     close_ = size <= 1e-8 * size_at(z_, extent_);
     if (size > reach) step_ = {step_.x * reach / size, step_.y * reach / size};
     next_ = {z_.x + step_.x, z_.y + step_.y};
-    if (within_ != nullptr && !(within_->min_x <= next_.x && next_.x <= within_->max_x && within_->min_y <= next_.y &&
-                                next_.y <= within_->max_y)) {
-      ended_ = stalled_ = true;
-    }
+    if (within_ != nullptr && !within_->contains(next_)) ended_ = stalled_ = true;
   }
 
   double extent_;

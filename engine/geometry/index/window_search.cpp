@@ -41,6 +41,7 @@ class Window {
   // All pairs of leaves that may meet in the window, which is split as long as that helps; none where they are too
   // many.
   std::optional<std::vector<LeafPair>> search(SearchCounts& counts) {
+    if (leaves_.empty()) return std::vector<LeafPair>{};
     const bool is_small = leaves_.size() <= smallest;
     if (is_small || !is_bent()) {
       bundle();

@@ -36,6 +36,10 @@ struct Rectangle {
   }
   /// Whether no point is in it.
   [[nodiscard]] constexpr bool empty() const { return !(min_x <= max_x && min_y <= max_y); }
+  /// Whether the point is in it, or on its sides.
+  [[nodiscard]] constexpr bool contains(Point point) const {
+    return point.x >= min_x && point.x <= max_x && point.y >= min_y && point.y <= max_y;
+  }
   /// The extent along x.
   [[nodiscard]] constexpr double width() const { return max_x - min_x; }
   /// The extent along y.

@@ -53,6 +53,16 @@ TEST_P(Windows, ListAllThatMeets) {
 INSTANTIATE_TEST_SUITE_P(Scenes, Windows, ::testing::ValuesIn(scene_kinds()),
                          [](const auto& kind) { return std::string(kind.param.name); });
 
+TEST(WindowsOfStalls, ACurveOfOnePointHasNone) {
+  for (const std::size_t size : {3U, 33U, 5000U}) {
+    SearchCounts counts;
+    const Curve curve{std::vector<Point>(size, Point{1, 2}), true, ""};
+    const NearLeaves near(BoxTree{CurveView(curve)}, counts);
+    ASSERT_TRUE(near.is_complete());
+    for (std::uint32_t leaf = 0; leaf < size / leaf_size; ++leaf) EXPECT_TRUE(near.of(leaf).empty());
+  }
+}
+
 // Hairs bent round half a turn, side by side; `bent` of them into their neighbours.
 Curve long_hairs(std::size_t hairs, std::size_t along, std::size_t bent) {
   Curve curve{{}, true, ""};
