@@ -133,10 +133,12 @@ std::vector<std::size_t> chosen_jobs(const JobValues& jobs, const std::vector<st
   for (std::size_t k = 0; k < axes.size(); ++k) {
     text += (k > 0 ? " and " : "") + axes[k] + " = " + plain(jobs.value(a, axes[k]));
   }
-  for (const std::string& name : jobs.varied()) {
-    if (jobs.value(a, name) == jobs.value(b, name)) continue;
-    throw UsageError(text + "; they differ in " + name + ": choose by --where " + name + "=" +
-                     plain(jobs.value(a, name)));
+  const auto differing = std::find_if(jobs.varied().begin(), jobs.varied().end(), [&](const std::string& name) {
+    return jobs.value(a, name) != jobs.value(b, name);
+  });
+  if (differing != jobs.varied().end()) {
+    text +=
+        "; they differ in " + *differing + ": choose by --where " + *differing + "=" + plain(jobs.value(a, *differing));
   }
   throw UsageError(text);
 }
@@ -222,7 +224,7 @@ Figure jobs_figure(const BatchPictureRequest& request, const JobValues& jobs) {
   if (!x.empty()) require_name("--x", x, varied);
   if (!y.empty()) require_name("--y", y, varied);
   const auto next = [&] {
-    const std::string name = free.empty() ? "" : free.front();
+    std::string name = free.empty() ? "" : free.front();
     if (!free.empty()) free.erase(free.begin());
     return name;
   };

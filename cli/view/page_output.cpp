@@ -28,7 +28,7 @@ void add_lines(viewer::Scene& scene, const std::string& text) {
 void add_origin(viewer::Scene& scene, std::string_view command, const operations::Outcome& outcome,
                 const std::vector<std::string>& inputs, const std::string& system = {}) {
   for (const auto& [name, value] : notes_of(command, outcome, inputs, system))
-    scene.notes.push_back(name + ": " + value);
+    scene.notes.push_back(std::string(name).append(": ").append(value));
   for (const std::string& remark : outcome.remarks) scene.notes.push_back(remark);
   add_lines(scene, agreement_text(outcome.agreement));
 }

@@ -67,12 +67,13 @@ std::map<std::string, Json> connection_of(const Json& system) {
 void add_repeated_options(std::vector<std::string>& arguments, const operations::Operation& operation,
                           const Json& options, const std::string& path, const std::map<std::string, Json>& known,
                           bool bip_is_point) {
+  const auto fail_at = [&](const std::string& key) {
+    throw DataError(path + ": the option " + key + " is not one of this version; run the command again");
+  };
   for (const auto& [key, value] : options.items()) {
     const auto spec = std::find_if(operation.options.begin(), operation.options.end(),
                                    [&, name = key](const auto& one) { return one.is_for(name); });
-    if (spec == operation.options.end()) {
-      throw DataError(path + ": the option " + key + " is not one of this version; run the command again");
-    }
+    if (spec == operation.options.end()) fail_at(key);
     if (value.is_null()) continue;
     if (const auto own = known.find(key); own != known.end() && own->second == value) continue;
     if (value.is_boolean()) {
@@ -89,6 +90,10 @@ void add_repeated_options(std::vector<std::string>& arguments, const operations:
 
 // The names of curves, if their files are as they were.
 void add_repeated_curves(std::vector<std::string>& arguments, const Json& result, const std::string& path) {
+  const auto require_same = [&](const std::string& file, const Json& hash) {
+    if (sha256_of_file(file) == hash.get<std::string>()) return;
+    throw DataError(file + ": is not as it was when " + path + " was computed; run the command again");
+  };
   std::string reversed;
   const Json& inputs = result.at("inputs");
   for (std::size_t k = 0; k < inputs.size(); ++k) {
@@ -96,11 +101,7 @@ void add_repeated_curves(std::vector<std::string>& arguments, const Json& result
     const bool is_name = input.is_string();  // where the command is an operation of the table
     std::string name = is_name ? input.get<std::string>() : input.value("spec", input.at("file").get<std::string>());
     if (!is_name && input.contains("zone") && !input.contains("spec")) name += "#" + input.at("zone").dump();
-    const std::string file = detail::file_of_curve(name);
-    const Json& hash = is_name ? result.at("sha256").at(k) : input.at("sha256");
-    if (sha256_of_file(file) != hash.get<std::string>()) {
-      throw DataError(file + ": is not as it was when " + path + " was computed; run the command again");
-    }
+    require_same(detail::file_of_curve(name), is_name ? result.at("sha256").at(k) : input.at("sha256"));
     arguments.push_back(name.starts_with('-') ? "./" + name : name);  // no option
     if (!is_name && input.value("reversed", false)) reversed += k == 0 ? "u" : "s";
   }

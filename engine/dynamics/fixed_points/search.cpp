@@ -139,12 +139,15 @@ FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
   FixedPointOptions each = options;
   const double maps = half_way ? 2 : 1;
   const auto work_of_grid = [&] { return maps * an_image * each.grid * each.grid; };
+  const auto name_of_grid = [&] {
+    const std::string side = std::to_string(each.grid);
+    return "grid of " + side + " x " + side;
+  };
   constexpr int coarsest_grid = 12;
   while (each.grid > coarsest_grid && work_of_grid() > allowance.part(0.25))
     each.grid = std::max(each.grid / 2, coarsest_grid);
   for (bool first = true;; first = false, each.grid = std::min(2 * each.grid, max_grid)) {
-    const std::string side = std::to_string(each.grid);
-    if (!progress("grid of " + side + " x " + side)) throw Cancelled();
+    if (!progress(name_of_grid())) throw Cancelled();
     if (!first && !allowance.has(work_of_grid())) {
       search.out_of_work = true;
       return search;

@@ -91,7 +91,8 @@ class LoadedField final : public VectorField {
     }
   }
   void jacobians(std::size_t count, const double* x, const double* t, double* jacobian) const override {
-    each(given().jacobian, count, x, t, static_cast<std::size_t>(dimension() * dimension()), jacobian);
+    each(given().jacobian, count, x, t, static_cast<std::size_t>(dimension()) * static_cast<std::size_t>(dimension()),
+         jacobian);
   }
   [[nodiscard]] bool has_jacobian() const override { return true; }
   void hamiltonians(std::size_t count, const double* x, const double* t, double* h) const override {
