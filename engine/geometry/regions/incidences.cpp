@@ -12,16 +12,19 @@ namespace {
 
 class IncidenceFinder final : public PairConsumer {
  public:
-  // `begin1`, `begin2`: what EdgeChains call the first segment of the two curves, which may be one and the same.
-  IncidenceFinder(const CurveView& c1, std::uint32_t begin1, const CurveView& c2, std::uint32_t begin2, double scale)
-      : c1_(c1),
-        c2_(c2),
-        begin1_(begin1),
-        begin2_(begin2),
-        source1_{c1.points.data(), static_cast<std::uint32_t>(c1.points.size() - 1)},
-        source2_{c2.points.data(), static_cast<std::uint32_t>(c2.points.size() - 1)},
+  // `first`, `second`: the two curves, which may be one and the same.
+  IncidenceFinder(const EdgeChains& edge_chains, int first, int second, std::array<std::uint32_t, 2> extreme,
+                  double scale)
+      : edge_chains_(edge_chains),
+        c1_(edge_chains.curve(first)),
+        c2_(edge_chains.curve(second)),
+        begin1_(edge_chains.first_of(first)),
+        begin2_(edge_chains.first_of(second)),
+        source1_{c1_.points.data(), static_cast<std::uint32_t>(c1_.points.size() - 1)},
+        source2_{c2_.points.data(), static_cast<std::uint32_t>(c2_.points.size() - 1)},
+        extreme_(extreme),
         scale_(scale),
-        blocks_((c1.segments() + block_segments - 1) / block_segments) {}
+        blocks_((c1_.segments() + block_segments - 1) / block_segments) {}
 
   std::uint32_t consume(std::uint32_t number, std::span<const SegmentPair> pairs) override {
     std::unique_ptr<Block>& block = blocks_[number];
@@ -48,8 +51,8 @@ class IncidenceFinder final : public PairConsumer {
   }
 
   // Appends the findings; returns the number of incidences.
-  std::uint64_t append_to(Incidences& all) {
-    const std::size_t before = all.list.size();
+  std::uint64_t append_to(Incidences& all, std::vector<SegmentPair>& together) {
+    const std::size_t before = all.list.size(), together_before = together.size();
     std::vector<std::size_t> begin(blocks_.size() + 1, before);
     for (std::size_t k = 0; k < blocks_.size(); ++k) {
       begin[k + 1] = begin[k] + (blocks_[k] ? blocks_[k]->list.size() : 0);
@@ -64,10 +67,11 @@ class IncidenceFinder final : public PairConsumer {
     for (const std::unique_ptr<Block>& block : blocks_) {
       if (!block) continue;
       all.spikes.insert(all.spikes.end(), block->spikes.begin(), block->spikes.end());
+      together.insert(together.end(), block->together.begin(), block->together.end());
       all.counts.predicates += block->predicates;
       all.counts.exact_parameters += block->exact_parameters;
     }
-    return all.list.size() - before;
+    return all.list.size() - before + together.size() - together_before;
   }
 
  private:
@@ -75,6 +79,7 @@ class IncidenceFinder final : public PairConsumer {
     Buffer<PairVerdict> verdicts;
     Buffer<Incidence> list;
     std::vector<std::uint32_t> spikes;
+    std::vector<SegmentPair> together;  // first ends in common where both edge chains keep together
     PredicateCounts predicates;
     std::uint64_t exact_parameters = 0;
   };
@@ -84,17 +89,46 @@ class IncidenceFinder final : public PairConsumer {
     const auto [c, d] = c2_.segment(j);
     PredicateCounts& counts = block.predicates;
     if (a == b || c == d) return;  // repeated vertices carry no segment
+    if (a == c) {
+      meet_at_vertex(begin1_ + i, begin2_ + j, block);
+      return;
+    }
     // Segments that join end to start, as neighbours do: nothing unless they lie on one line.
     if (b == c && orient2d(a, b, d, counts) != 0) return;
     if (d == a && orient2d(c, d, b, counts) != 0) return;
     const PairContacts found = contacts_of({a, b}, {c, d}, counts);
     if (found.rho != 0) block.list.push_back({{}, {}, i, j, false, false});
-    if (found.coincide) block.list.push_back({{}, {}, i, j, true, true});
     if (found.start1_on) block.list.push_back({{}, {}, i, j, true, false});
     if (found.start2_on) block.list.push_back({{}, {}, i, j, false, true});
-    if (!found.one_line || found.coincide) return;
-    if (b == c && folds(a, b, d, counts)) block.spikes.push_back(begin2_ + j);
-    if (d == a && folds(c, d, b, counts)) block.spikes.push_back(begin1_ + i);
+    if (!found.one_line || begin1_ != begin2_) return;
+    if (b == c && follows(i, j) && folds(a, b, d, counts)) block.spikes.push_back(begin2_ + j);
+    if (d == a && follows(j, i) && folds(c, d, b, counts)) block.spikes.push_back(begin1_ + i);
+  }
+
+  // Whether `after` is the next segment along the curve that has a length.
+  [[nodiscard]] bool follows(std::uint32_t before, std::uint32_t after) const {
+    return edge_chains_.next(begin1_ + before) == begin1_ + after;
+  }
+
+  // The first ends of two segments are one point.
+  void meet_at_vertex(std::uint32_t first, std::uint32_t second, Block& block) {
+    const auto is_extreme = [&](std::uint32_t segment) { return segment == extreme_[0] || segment == extreme_[1]; };
+    if (!is_extreme(first) && !is_extreme(second) && keep_together(first, second, block.predicates)) {
+      block.together.push_back({first, second});
+    } else {
+      block.list.push_back({{}, {}, first - begin1_, second - begin2_, true, true});
+    }
+  }
+
+  // Whether both edge chains come from one vertex and go on to one vertex, in one direction or in opposite ones, and do
+  // not fold back here.
+  [[nodiscard]] bool keep_together(std::uint32_t first, std::uint32_t second, PredicateCounts& counts) const {
+    const auto [joint, after1] = edge_chains_.segment(first);
+    const Point after2 = edge_chains_.segment(second).b;
+    const Point before1 = edge_chains_.start(edge_chains_.previous(first));
+    const Point before2 = edge_chains_.start(edge_chains_.previous(second));
+    if (!(before1 == before2 && after1 == after2) && !(before1 == after2 && after1 == before2)) return false;
+    return orient2d(before1, joint, after1, counts) != 0 || !folds(before1, joint, after1, counts);
   }
 
   // Whether the way from `before` to `joint` to `after`, three points of one line, turns back at the joint.
@@ -115,30 +149,55 @@ class IncidenceFinder final : public PairConsumer {
     block.exact_parameters += batch.exact();
   }
 
+  const EdgeChains& edge_chains_;
   CurveView c1_, c2_;
-  std::uint32_t begin1_, begin2_;
+  std::uint32_t begin1_, begin2_;  // what EdgeChains call the first segments of the two curves
   SegmentSource source1_, source2_;
+  std::array<std::uint32_t, 2> extreme_;
   double scale_;
   std::vector<std::unique_ptr<Block>> blocks_;
 };
 
+// The number of vertices where edge chains keep together and no node is.
+std::uint64_t vertices_along(const EdgeChains& edge_chains, const Incidences& found,
+                             const std::vector<SegmentPair>& together) {
+  if (together.empty()) return 0;
+  std::vector<bool> at_node(edge_chains.segments()), passing(at_node.size()), repeated(at_node.size());
+  for (const Incidence& incidence : found.list) {
+    if (incidence.starts1) at_node[incidence.first] = true;
+    if (incidence.starts2) at_node[incidence.second] = true;
+  }
+  // Among the edge chains of a vertex each but the lowest is the higher one of some pair.
+  for (const auto& [first, second] : together) {
+    if (at_node[first]) continue;
+    passing[first] = passing[second] = true;
+    repeated[std::max(first, second)] = true;
+  }
+  return static_cast<std::uint64_t>(std::count(passing.begin(), passing.end(), true) -
+                                    std::count(repeated.begin(), repeated.end(), true));
+}
+
 }  // namespace
 
-Incidences find_incidences(const IndexedCurve& c1, const IndexedCurve* c2, IndexKind kind) {
+Incidences find_incidences(const IndexedCurve& c1, const IndexedCurve* c2, IndexKind kind,
+                           std::array<std::uint32_t, 2> extreme) {
   Incidences found;
+  const EdgeChains edge_chains = c2 == nullptr ? EdgeChains(c1.view()) : EdgeChains(c1.view(), c2->view());
   const double scale = (c2 == nullptr ? c1.tree().box() : union_of(c1.tree().box(), c2->tree().box())).extent();
-  const auto begin2 = static_cast<std::uint32_t>(c1.segments());
-  const auto with_itself = [&](const IndexedCurve& curve, std::uint32_t begin) {
-    IncidenceFinder finder(curve.view(), begin, curve.view(), begin, scale);
+  std::vector<SegmentPair> together;
+  const auto with_itself = [&](const IndexedCurve& curve, int number) {
+    IncidenceFinder finder(edge_chains, number, number, extreme, scale);
     found.counts.search += find_self_pairs(curve, finder);
-    return finder.append_to(found);
+    return finder.append_to(found, together);
   };
   found.counts.self1 = with_itself(c1, 0);
-  if (c2 == nullptr) return found;
-  found.counts.self2 = with_itself(*c2, begin2);
-  IncidenceFinder finder(c1.view(), 0, c2->view(), begin2, scale);
-  found.counts.search += find_pairs(c1, *c2, kind, finder);
-  found.counts.mutual = finder.append_to(found);
+  if (c2 != nullptr) {
+    found.counts.self2 = with_itself(*c2, 1);
+    IncidenceFinder finder(edge_chains, 0, 1, extreme, scale);
+    found.counts.search += find_pairs(c1, *c2, kind, finder);
+    found.counts.mutual = finder.append_to(found, together);
+  }
+  found.counts.along = vertices_along(edge_chains, found, together);
   return found;
 }
 

@@ -5,8 +5,16 @@
 // have nothing in common unless the curve folds back. Where segments overlap, the ends of the overlap and all vertices
 // in it are first ends of some segment, hence incidences too; in between there are none. Half-open segments do not show
 // the end of a spike that runs back on itself; spikes are listed apart.
+//
+// At a vertex inside a run that two edge chains share, both come from one vertex and go on to one vertex: they keep
+// together. That is an equivalence of the edge chains through a point. Where all of them keep together, nothing else is
+// there and no spike ends, the vertex is like any other vertex of one edge chain and no node is needed; where there are
+// two classes, each edge chain meets one of another class. So incidences of edge chains that keep together are left out
+// of the list (but for those at the extreme vertices, which are nodes always), and what remains still joins all edge
+// chains through each node. Boundaries that share a million vertices have few nodes.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -27,8 +35,10 @@ struct Incidence {
 struct IncidenceCounts {
   SearchCounts search;
   PredicateCounts predicates;
-  std::uint64_t exact_parameters = 0;              ///< crossings too shallow for double-double
-  std::uint64_t self1 = 0, self2 = 0, mutual = 0;  ///< incidences of C1 and itself, C2 and itself, C1 and C2
+  std::uint64_t exact_parameters = 0;  ///< crossings too shallow for double-double
+  /// Incidences of C1 and itself, C2 and itself, C1 and C2, those of edge chains that keep together included.
+  std::uint64_t self1 = 0, self2 = 0, mutual = 0;
+  std::uint64_t along = 0;  ///< vertices without a node where edge chains keep together
 };
 
 struct Incidences {
@@ -38,7 +48,9 @@ struct Incidences {
 };
 
 /// Searches C1 against itself and, unless c2 is null, C2 against itself and C1 against C2 (with the index `kind`).
-/// O(N + candidates), parallel. The set found does not depend on `kind`, its order does.
-[[nodiscard]] Incidences find_incidences(const IndexedCurve& c1, const IndexedCurve* c2, IndexKind kind);
+/// `extreme`: the segments whose first ends are the extreme vertices. O(N + candidates), parallel. The set found does
+/// not depend on `kind`, its order does.
+[[nodiscard]] Incidences find_incidences(const IndexedCurve& c1, const IndexedCurve* c2, IndexKind kind,
+                                         std::array<std::uint32_t, 2> extreme);
 
 }  // namespace lober::detail

@@ -81,16 +81,15 @@ class RegionBuilder {
     const IndexKind kind = c2_ == nullptr                           ? IndexKind::tree
                            : options_.index != IndexKind::automatic ? options_.index
                                                                     : choose_index(c1_, *c2_);
-    Incidences incidences = find_incidences(c1_, c2_, kind);
+    const std::array<std::uint32_t, 2> extreme = extreme_segments(scene.edge_chains);
+    Incidences incidences = find_incidences(c1_, c2_, kind, extreme);
     RegionTiming& timing = scene.timing;
     timing.index = index_seconds;
     timing.search = watch.seconds();
     report(0.5);
 
     const Stopwatch node_watch;
-    const std::uint32_t extreme1 = extreme_segment(c1_.tree());
-    const std::uint32_t extreme2 = c2_ == nullptr ? 0 : scene.edge_chains.first_of(1) + extreme_segment(c2_->tree());
-    scene.events = make_events(scene.edge_chains, incidences, {extreme1, extreme2});
+    scene.events = make_events(scene.edge_chains, incidences, extreme);
     const IncidenceCounts found = incidences.counts;
     incidences = {};
     scene.first_event.resize(scene.events.nodes);
@@ -126,6 +125,12 @@ class RegionBuilder {
  private:
   void report(double fraction) const {
     if (!options_.progress(fraction)) throw Cancelled();
+  }
+
+  // The segments whose first ends are the extreme vertices; that of C1 twice where there is no C2.
+  [[nodiscard]] std::array<std::uint32_t, 2> extreme_segments(const EdgeChains& edge_chains) const {
+    const std::uint32_t first = extreme_segment(c1_.tree());
+    return {first, c2_ == nullptr ? first : edge_chains.first_of(1) + extreme_segment(c2_->tree())};
   }
 
   // Shoelace sums of all edges about one origin. Also bounds what areas lose: the gap at each node
@@ -179,9 +184,9 @@ class RegionBuilder {
 
   void count(Arrangement& scene, const IncidenceCounts& found, const PredicateCounts& placing, IndexKind kind) {
     RegionCounts& counts = scene.counts;
-    counts.nodes = scene.events.nodes - scene.events.degree2;
+    counts.nodes = scene.events.nodes - scene.events.degree2 + found.along;
     // A node of degree 2 cuts an edge in two, unless it is the only one of its curve.
-    counts.edges = scene.events.size() - scene.graph.merged - scene.events.degree2;
+    counts.edges = scene.events.size() - scene.graph.merged - scene.events.degree2 + found.along;
     if (found.mutual == 0 && found.self1 == 0) ++counts.edges;
     if (found.mutual == 0 && found.self2 == 0 && c2_ != nullptr) ++counts.edges;
     counts.faces = scene.faces.size();
