@@ -46,6 +46,9 @@ commit=$(git log -1 --format='%h of %cs' 2>/dev/null || echo 'no commit yet')
   echo 'One thread; error of [C1 \ C2] relative to the true area of the smooth curves, for each number of points a curve.'
   echo
   build/bin/bench_accuracy --svg docs/accuracy.svg
+  echo '## Other ways to areas'
+  echo
+  build/bin/bench_areas "${overlay[1]}"
   echo '## Settings of the densifier'
   echo
   echo 'As in figure 8 of Naik, Lekien & Ross (2017): the difference of the area from the one with segments split where the curves meet,'

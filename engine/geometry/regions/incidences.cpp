@@ -93,9 +93,9 @@ class IncidenceFinder final : public PairConsumer {
       meet_at_vertex(begin1_ + i, begin2_ + j, block);
       return;
     }
-    // Segments that join end to start, as neighbours do: nothing unless they lie on one line.
-    if (b == c && orient2d(a, b, d, counts) != 0) return;
-    if (d == a && orient2d(c, d, b, counts) != 0) return;
+    // Segments that join end to start, as neighbours do: nothing unless the second folds back on the first.
+    if (b == c && (goes_on(a, b, d) || orient2d(a, b, d, counts) != 0)) return;
+    if (d == a && (goes_on(c, d, b) || orient2d(c, d, b, counts) != 0)) return;
     const PairContacts found = contacts_of({a, b}, {c, d}, counts);
     if (found.rho != 0) block.list.push_back({{}, {}, i, j, false, false});
     if (found.start1_on) block.list.push_back({{}, {}, i, j, true, false});
@@ -128,7 +128,14 @@ class IncidenceFinder final : public PairConsumer {
     const Point before1 = edge_chains_.start(edge_chains_.previous(first));
     const Point before2 = edge_chains_.start(edge_chains_.previous(second));
     if (!(before1 == before2 && after1 == after2) && !(before1 == after2 && after1 == before2)) return false;
-    return orient2d(before1, joint, after1, counts) != 0 || !folds(before1, joint, after1, counts);
+    return goes_on(before1, joint, after1) || orient2d(before1, joint, after1, counts) != 0 ||
+           !folds(before1, joint, after1, counts);
+  }
+
+  // Whether x or y grows, or falls, all the way from `before` to `joint` to `after`: seen without any arithmetic.
+  static bool goes_on(Point before, Point joint, Point after) {
+    return (before.x < joint.x && joint.x < after.x) || (before.x > joint.x && joint.x > after.x) ||
+           (before.y < joint.y && joint.y < after.y) || (before.y > joint.y && joint.y > after.y);
   }
 
   // Whether the way from `before` to `joint` to `after`, three points of one line, turns back at the joint.

@@ -47,24 +47,22 @@ class Builder {
   [[nodiscard]] bool is_crossing(std::uint32_t node) const {
     return graph_.span(node).direction == 0 && graph_.order[node] < first_touch;
   }
-  // Where neither curve leaves its segment the contact of the polygons is right as it is.
-  [[nodiscard]] bool straight(const Contact& contact) const {
-    return c1_.segment(contact.segment1).kind != SmoothSegment::Kind::smooth &&
-           c2_.segment(contact.segment2).kind != SmoothSegment::Kind::smooth;
-  }
-
   void move_crossings() {
     moved_.resize(graph_.size());
     straight_.resize(graph_.contacts.size());
-    for_each_block(graph_.contacts.size(), smooth_nodes_a_task, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) straight_[k] = straight(graph_.contacts[k]);
-    });
+    ends_.resize(graph_.contacts.size());
     for_each_block(graph_.size(), smooth_nodes_a_task, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         const auto node = static_cast<std::uint32_t>(k);
-        const std::uint32_t contact = graph_.span(node).first;
-        if (is_crossing(node) && !straight_[contact]) {
-          moved_[k] = find_smooth_crossing(c1_, c2_, graph_.contacts[contact], graph_.order[node] == rightward_to_left);
+        const NodeSpan span = graph_.span(node);
+        for (const std::uint32_t contact : {span.first, span.last}) {
+          SmoothContact smooth(c1_, c2_, graph_.contacts[contact]);
+          straight_[contact] = smooth.straight();
+          if (is_crossing(node) && !straight_[contact]) {
+            moved_[k] = smooth.move_to_crossing(graph_.order[node] == rightward_to_left);
+          }
+          ends_[contact] = smooth.ends();
+          if (span.first == span.last) break;
         }
       }
     });
@@ -107,10 +105,15 @@ class Builder {
   }
   bool put_back(std::uint32_t node, std::uint32_t other) {
     const bool any = moved_[node].has_value() || moved_[other].has_value();
-    moved_[node].reset();
-    moved_[other].reset();
+    for (const std::uint32_t k : {node, other}) {
+      if (!moved_[k]) continue;
+      moved_[k].reset();
+      const std::uint32_t contact = graph_.span(k).first;
+      ends_[contact] = SmoothContact(c1_, c2_, graph_.contacts[contact]).ends();
+    }
     return any;
   }
+
   ArcEnds sum_at_contacts() {
     const std::size_t count = graph_.contacts.size();
     std::vector<std::uint32_t> segments1(count), segments2(count);
@@ -124,24 +127,19 @@ class Builder {
     const Buffer<ChordArea> before2 = sums2.before(c2_, segments2);
     for (std::size_t k = 0; k < count; ++k) ends.on2[graph_.contacts2[k]] = before2[k];
 
-    std::vector<double> uncertainty(graph_.size());
-    for_each_block(graph_.size(), smooth_nodes_a_task, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) {
-        const NodeSpan span = graph_.span(static_cast<std::uint32_t>(k));
-        for (const std::uint32_t contact : {span.first, span.last}) {
-          const EndOfArcs end_here = end_of_arcs(c1_, c2_, graph_.contacts[contact], moved_[k]);
-          if (!straight_[contact]) {
-            ends.on1[contact].area += DD{end_here.on1, 0};
-            ends.on2[contact].area += DD{end_here.on2, 0};
-          }
-          uncertainty[k] += end_here.uncertainty;
-          if (span.first == span.last) break;
-        }
-      }
-    });
     for (std::uint32_t k = 0; k < graph_.size(); ++k) {
-      ends.uncertainty += uncertainty[k];
-      fallback_crossings_ += is_crossing(k) && !straight_[graph_.span(k).first] && !moved_[k];
+      const NodeSpan span = graph_.span(k);
+      double uncertainty = 0;
+      for (const std::uint32_t contact : {span.first, span.last}) {
+        if (straight_[contact] == 0) {
+          ends.on1[contact].area += DD{ends_[contact].on1, 0};
+          ends.on2[contact].area += DD{ends_[contact].on2, 0};
+        }
+        uncertainty += ends_[contact].uncertainty;
+        if (span.first == span.last) break;
+      }
+      ends.uncertainty += uncertainty;
+      fallback_crossings_ += is_crossing(k) && straight_[span.first] == 0 && !moved_[k];
     }
     return ends;
   }
@@ -161,6 +159,7 @@ class Builder {
   int exponent_;
   std::vector<std::optional<SmoothCrossing>> moved_;  // by node
   std::vector<char> straight_;                        // by contact
+  Buffer<EndOfArcs> ends_;                            // by contact
   std::uint64_t fallback_segments_ = 0, fallback_crossings_ = 0;
 };
 

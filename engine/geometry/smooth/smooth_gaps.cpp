@@ -17,13 +17,23 @@ constexpr std::size_t gaps_a_task = 256;
 class GapFinder {
  public:
   GapFinder(CurveView c1, CurveView c2, const NodeGraph& graph, std::span<const std::uint32_t> nodes)
-      : c1_(c1), c2_(c2), view1_(c1), view2_(c2), graph_(graph), nodes_(nodes), moved_(nodes.size()) {}
+      : c1_(c1),
+        c2_(c2),
+        view1_(c1),
+        view2_(c2),
+        graph_(graph),
+        nodes_(nodes),
+        moved_(nodes.size()),
+        ends_(nodes.size()) {}
 
   SmoothGaps find(const ChordAreaTable& table1, const ChordAreaTable& table2) {
     for_each_block(nodes_.size(), gaps_a_task, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
-        if (graph_.span(nodes_[k]).direction != 0) continue;
-        moved_[k] = find_smooth_crossing(c1_, c2_, contact(k), graph_.order[nodes_[k]] == rightward_to_left);
+        SmoothContact smooth(c1_, c2_, contact(k));
+        if (graph_.span(nodes_[k]).direction == 0) {
+          moved_[k] = smooth.move_to_crossing(graph_.order[nodes_[k]] == rightward_to_left);
+        }
+        ends_[k] = smooth.ends();
       }
     });
     // In order along C2.
@@ -50,7 +60,7 @@ class GapFinder {
     }
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
       SmoothGap& gap = gaps.at[k];
-      const EndOfArcs end = end_of_arcs(c1_, c2_, contact(k), moved_[k]);
+      const EndOfArcs& end = ends_[k];
       gap.twice += two_diff(end.on1, end.on2);
       gap.uncertainty = end.uncertainty;
       gap.moved = moved_[k].has_value();
@@ -78,9 +88,12 @@ class GapFinder {
     bool changed = true;
     const auto keep_apart = [&](std::size_t k, std::size_t next, bool on_first) {
       if (position(k, on_first) <= position(next, on_first)) return;
-      changed |= moved_[k].has_value() || moved_[next].has_value();
-      moved_[k].reset();
-      moved_[next].reset();
+      for (const std::size_t node : {k, next}) {
+        if (!moved_[node]) continue;
+        changed = true;
+        moved_[node].reset();
+        ends_[node] = SmoothContact(c1_, c2_, contact(node)).ends();
+      }
     };
     while (changed) {
       changed = false;
@@ -96,6 +109,7 @@ class GapFinder {
   const NodeGraph& graph_;
   std::span<const std::uint32_t> nodes_;
   std::vector<std::optional<SmoothCrossing>> moved_;
+  std::vector<EndOfArcs> ends_;
 };
 
 }  // namespace
