@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Runs the benchmarks of build/bin.
-# usage: bench.sh [full|quick] [EARLIER]
+# usage: bench.sh [full|quick|areas] [EARLIER]
 #   full    10^6 points, all rivals, about half an hour; writes bench/RESULTS.md, which the README quotes
 #   quick   10^5 points, fast rivals, a few minutes; writes build/bench-quick.md
+#   areas   the part of full about other ways to areas, four minutes; replaces it in bench/RESULTS.md
 # EARLIER, a program of an earlier version, runs the first table's commands beside the present one.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -10,7 +11,8 @@ mode=${1:-full} earlier=${2:-}
 case $mode in
   full) results=bench/RESULTS.md overlay=(--n 1000000 --rivals all --limit 30 --repeat 11) kernels=(--benchmark_min_time=0.5) batch=() rounds=5 ;;
   quick) results=build/bench-quick.md overlay=(--n 100000 --rivals fast --limit 20 --no-growth) kernels=(--benchmark_min_time=0.1) batch=(--quick) rounds=1 ;;
-  *) echo "usage: bench.sh [full|quick] [EARLIER]" >&2; exit 2 ;;
+  areas) results=bench/RESULTS.md overlay=(--n 1000000) ;;
+  *) echo "usage: bench.sh [full|quick|areas] [EARLIER]" >&2; exit 2 ;;
 esac
 tables=$(mktemp)
 older=$(mktemp)
@@ -18,15 +20,37 @@ draft=$(mktemp)
 curves=$(mktemp -d)
 trap 'rm -rf "$tables" "$older" "$draft" "$curves"' EXIT
 
+processor=$(lscpu | sed -n 's/^Model name: *//p' | head -n 1)
+commit=$(git log -1 --format='%h of %cs' 2>/dev/null || echo 'no commit yet')
+# Under each heading, so that a table that is quoted alone can be told from older ones.
+stamped() {
+  awk -v where="_$processor, $(nproc) cores; commit $commit._" '/^##+ / { print; print ""; print where; next } { print }'
+}
+ways_to_areas() {
+  echo '## Other ways to areas'
+  echo
+  build/bin/bench_areas "${overlay[1]}"
+}
+
+if [ "$mode" = areas ]; then
+  ways_to_areas | stamped >"$draft"
+  awk -v new="$draft" '
+    /^## / { inside = $0 == "## Other ways to areas" }
+    inside { if (!done) while ((getline line < new) > 0) print line; done = 1; next }
+    { print }' "$results" >"$tables"
+  grep -q '^## Other ways to areas' "$tables" || { echo "$results has no such part; run bench.sh full" >&2; exit 1; }
+  cp "$tables" "$results"
+  echo "wrote $results"
+  exit
+fi
+
 build/bin/bench_overlay "${overlay[@]}" --markdown "$tables"
 # The same without AVX-512, where there is any.
 if grep -q avx512vl /proc/cpuinfo; then
   LOBER_ISA=avx2 build/bin/bench_overlay --n "${overlay[1]}" --threads 1 --rivals none --no-growth --markdown "$older"
 fi
 
-processor=$(lscpu | sed -n 's/^Model name: *//p' | head -n 1)
 compiler=$("$(sed -n 's/^CMAKE_CXX_COMPILER:[^=]*=//p' build/CMakeCache.txt)" --version | head -n 1)
-commit=$(git log -1 --format='%h of %cs' 2>/dev/null || echo 'no commit yet')
 {
   echo '# Results of the benchmarks'
   echo
@@ -46,9 +70,7 @@ commit=$(git log -1 --format='%h of %cs' 2>/dev/null || echo 'no commit yet')
   echo 'One thread; error of [C1 \ C2] relative to the true area of the smooth curves, for each number of points a curve.'
   echo
   build/bin/bench_accuracy --svg docs/accuracy.svg
-  echo '## Other ways to areas'
-  echo
-  build/bin/bench_areas "${overlay[1]}"
+  ways_to_areas
   echo '## Settings of the densifier'
   echo
   echo 'As in figure 8 of Naik, Lekien & Ross (2017): the difference of the area from the one with segments split where the curves meet,'
@@ -78,7 +100,5 @@ commit=$(git log -1 --format='%h of %cs' 2>/dev/null || echo 'no commit yet')
   echo
   build/bin/bench_batch "${batch[@]}"
 } >"$draft"
-# Under each heading, so that a table that is quoted alone can be told from older ones.
-awk -v where="_$processor, $(nproc) cores; commit $commit._" \
-  '/^##+ / { print; print ""; print where; next } { print }' "$draft" >"$results"
+stamped <"$draft" >"$results"
 echo "wrote $results"

@@ -183,10 +183,12 @@ InteriorAreas interior_areas(const IndexedCurve& c1, const IndexedCurve& c2, con
 }
 
 InteriorAreas interior_areas(const ClosedCurve& c1, const ClosedCurve& c2, const InteriorOptions& options) {
-  validate(c1, "curve 1");
-  validate(c2, "curve 2");
+  require_region(c1, "curve 1", "interior");
+  require_region(c2, "curve 2", "interior");
   const Stopwatch watch;
   const IndexedCurve first(c1), second(c2);
+  if (!first.finite()) validate(c1, "curve 1");
+  if (!second.finite()) validate(c2, "curve 2");
   const double index_seconds = watch.seconds();
   InteriorAreas result = interior_areas(first, second, options);
   result.timing.index = index_seconds;
