@@ -144,15 +144,20 @@ SmoothSegment fit_smooth_segment(const std::array<Point, 8>& p) {
   }
   const std::size_t count = demands.count();
   const double square = chord.length * chord.length;
+  const auto turn = [&](std::size_t k) { return shape.corner(k) ? 0 : std::fabs(shape.sine[k]); };
   if (count == 0) {  // what a curve along which all of the turns at its ends takes place would enclose; corners apart
-    const auto turn = [&](std::size_t k) { return shape.corner(k) ? 0 : std::fabs(shape.sine[k]); };
     segment.error = square * (turn(3) + turn(4)) / 6;
     return segment;
   }
   const std::array<double, 4> g = demands.polynomial(count), less = demands.polynomial(count > 2 ? 2 : count - 1);
   const double largest = demands.largest(), area = chord_area_of(g), change = std::fabs(area - chord_area_of(less));
-  // From one side the last vertex changes less than those beyond would.
-  double unknown = count < 4 ? 3 * change : change;
+  // From one side the last vertex changes less than those beyond would; one vertex on either side of a symmetrical
+  // curve changes nothing, and leaves open what is of the order of the squares of turns.
+  double unknown = change;
+  if (count < 4) {
+    const double larger = std::max(turn(3), turn(4));
+    unknown = 3 * std::max(change, larger * larger * std::fabs(area));
+  }
   if (count == 4 && shape.usable(0, 4 * uneven) && shape.usable(6, 4 * uneven)) {
     demands.add(p[3], p[0], chord);
     demands.add(p[3], p[7], chord);

@@ -42,10 +42,10 @@ struct SmoothSegment {
 ///
 /// `error` is what the third vertices on either side would change, three times, which is the error of this formula to
 /// leading order, and no less than the changes of orders before let expect; at most, and where these vertices are of no
-/// use, the change when g loses its farther vertices, the error of a formula of order h^5, three times it where some of
-/// those are of no use either; and rounding, that of the vertices given too. Where the segment stays straight it is the
-/// size of the chord-to-arc area that was rejected, or that its turns let expect, none at corners. Plain double; 200
-/// operations.
+/// use, the change when g loses its farther vertices, the error of a formula of order h^5, three times it, or the area
+/// times the square of the larger turn at an end, where some of those are of no use either; and rounding, that of the
+/// vertices given too. Where the segment stays straight it is the size of the chord-to-arc area that was rejected, or
+/// that its turns let expect, none at corners. Plain double; 200 operations.
 [[nodiscard]] SmoothSegment fit_smooth_segment(const std::array<Point, 8>& p);
 
 /// The limits that it names.

@@ -11,13 +11,17 @@ namespace lober {
 using namespace detail;
 namespace {
 
-// The chord area of the part of segment k between two positions.
+// The chord area of the part of segment k between two positions. Its neighbours are the nearest vertices at other
+// points; an end of the curve has none.
 double chord_area_of(const CurveView& curve, std::size_t k, Position from, Position to) {
   const std::span<const Point> p = curve.points;
-  const Point before = k > 0 ? p[k - 1] : p[k], after = k + 2 < p.size() ? p[k + 2] : p[k + 1];
+  if (p[k] == p[k + 1]) return 0;
+  std::size_t back = k, forth = k + 1;
+  while (back > 0 && p[back] == p[k]) --back;
+  while (forth + 1 < p.size() && p[forth] == p[k + 1]) ++forth;
   const double begin = k == from.segment ? sagitta_fraction(from.t) : 0;
   const double end = k == to.segment ? sagitta_fraction(to.t) : 1;
-  return twice_chord_area(before, p[k], p[k + 1], after) * (end - begin);
+  return twice_chord_area(p[back], p[k], p[k + 1], p[forth]) * (end - begin);
 }
 
 void add_segment(ArcMeasures& sums, Point a, Point b, Point origin) {
@@ -29,8 +33,8 @@ void add_segment(ArcMeasures& sums, Point a, Point b, Point origin) {
   sums.length += std::sqrt(dx * dx + dy * dy);
 }
 
-// The arc of a curve between two positions with these points: the first and the last segment by themselves, and those
-// at the ends of the curve, which have no neighbours.
+// The arc of a curve between two positions with these points: the first and the last segment by themselves, those at
+// the ends of the curve, which have no neighbours, and all where a repeated vertex has neighbours farther away.
 void add_arc(ArcMeasures& sums, const CurveView& curve, Position from, Point first, Position to, Point last,
              Point origin) {
   const std::span<const Point> p = curve.points;
@@ -43,8 +47,15 @@ void add_arc(ArcMeasures& sums, const CurveView& curve, Position from, Point fir
   }
   add_segment(sums, first, p[from.segment + 1], origin);
   sums.chord_area += std::fabs(chord_area_of(curve, from.segment, from, to));
-  if (begin < end) add_arc_measures(&p[begin - 1], end - begin, origin, sums);
-  for (std::size_t k = std::max(begin, end); k < to.segment; ++k) {
+  std::size_t next = begin;
+  if (begin < end) {
+    const std::span<const Point> inner = p.subspan(begin - 1, end - begin + 3);
+    if (std::adjacent_find(inner.begin(), inner.end()) == inner.end()) {
+      add_arc_measures(inner.data(), end - begin, origin, sums);
+      next = end;
+    }
+  }
+  for (std::size_t k = next; k < to.segment; ++k) {
     add_segment(sums, p[k], p[k + 1], origin);
     sums.chord_area += std::fabs(chord_area_of(curve, k, from, to));
   }

@@ -245,6 +245,20 @@ TEST(Smooth, BunchedVerticesHaveAnErrorBar) {
   }
 }
 
+// Few vertices leave one of use on either side, and both demand the same of a segment of a regular polygon.
+TEST(Smooth, FewVerticesOfACircleHaveAnErrorBar) {
+  for (std::size_t points = 9; points <= 24; ++points) {
+    std::vector<Point> circle;
+    for (std::size_t k = 0; k < points; ++k) {
+      const double angle = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(points);
+      circle.push_back({std::cos(angle), std::sin(angle)});
+    }
+    const SmoothArea smooth = smooth_area(ClosedCurve::borrow(circle));
+    EXPECT_LE(std::fabs(smooth.area - std::numbers::pi), smooth.error) << points << " points";
+    EXPECT_LT(smooth.error, 0.5) << points << " points";
+  }
+}
+
 TEST(Smooth, CurvesThatDoNotMeet) {
   const Points outer = sample(ellipse(0, 0, 2, 2), 400), inner = sample(ellipse(0.1, 0, 1, 1), 400),
                aside = sample(ellipse(5, 0, 1, 1), 400);

@@ -48,6 +48,24 @@ TEST(KnownTangle, ZigzagOnALine) {
   for (const Lobe& lobe : found.lobes) EXPECT_TRUE(lobe.simple);
 }
 
+// Neighbours of a segment beside a repeated vertex lie farther away.
+TEST(KnownTangle, RepeatedVerticesDoNotMatter) {
+  Polyline wave, repeated;
+  for (int k = 0; k <= 200; ++k) wave.push_back({0.5 + 0.02 * k, std::sin(0.02 * k * 3.1)});
+  for (const Point p : wave) repeated.insert(repeated.end(), {p, p, p});
+  const Tangle found = tangle(open(wave), open(x_axis)), same = tangle(open(repeated), open(x_axis));
+  const std::vector<LobeShape> shapes = lobe_shapes(found), same_shapes = lobe_shapes(same);
+  ASSERT_EQ(shapes.size(), same_shapes.size());
+  ASSERT_GT(shapes.size(), 1U);
+  for (std::size_t k = 0; k < shapes.size(); ++k) {
+    EXPECT_GT(shapes[k].discretisation, 0);
+    EXPECT_NEAR(same_shapes[k].discretisation, shapes[k].discretisation, 1e-12 * shapes[k].discretisation);
+    EXPECT_NEAR(same_shapes[k].perimeter, shapes[k].perimeter, 1e-12);
+  }
+  EXPECT_GT(boundary_discretisation(found), 0);
+  EXPECT_NEAR(boundary_discretisation(same), boundary_discretisation(found), 1e-12 * boundary_discretisation(found));
+}
+
 // The path that closes the boundary decides what is inside: below the axis, above it, or where it winds.
 TEST(KnownTangle, ClosedByAPath) {
   struct Case {
