@@ -166,19 +166,38 @@ Figure sweep_figure(const SweepReport& report) {
     if (report.result().first_order) estimate.push_back({row.value, (*report.result().first_order)[k]});
     box = include(box, std::array{Point{row.value, 0}});
   }
+  // A value between two that failed is a dot, as no line leads to it.
   const auto add_line = [&](const char* name, const char* legend, const char* colour, std::vector<Point>& points,
                             bool dashed) {
-    Layer layer = line_layer(name, legend, colour, 0.8);
-    layer.dashed = dashed;
-    layer.lines.push_back(polyline(std::move(points), false));
-    figure.layers.push_back(std::move(layer));
+    const auto is_there = [&](std::size_t k) { return k < points.size() && std::isfinite(points[k].y); };
+    std::vector<Point> alone;
+    bool leads = false;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if (!is_there(k)) continue;
+      if (is_there(k + 1) || (k > 0 && is_there(k - 1))) {
+        leads = true;
+      } else {
+        alone.push_back(points[k]);
+      }
+    }
+    if (leads) {
+      Layer layer = line_layer(name, legend, colour, 0.8);
+      layer.dashed = dashed;
+      layer.lines.push_back(polyline(std::move(points), false));
+      figure.layers.push_back(std::move(layer));
+    }
+    if (!alone.empty()) {
+      Layer layer = dot_layer(name, leads ? "" : legend, std::move(alone), 1);
+      layer.colour = colour;
+      figure.layers.push_back(std::move(layer));
+    }
   };
   add_line("lobes", "area of the lobes that enter, by action", palette::entering, lobes, false);
   add_line("difference", "W(q) \u2212 W(q'), by action", palette::action, difference, false);
   if (report.result().first_order) {
     add_line("first order", "area of the lobes to first order in eps (Melnikov)", palette::estimate, estimate, true);
   }
-  figure.layers.push_back(std::move(flux));
+  if (!flux.points.empty()) figure.layers.push_back(std::move(flux));
   for (const Layer& layer : figure.layers) {
     const auto add = [&](std::span<const Point> points) {
       for (const Point& point : points) {
