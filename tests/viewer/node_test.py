@@ -66,7 +66,7 @@ def came_back(node, folder, name, points):
 def main():
     node = shutil.which("node") or shutil.which("nodejs")
     if node is None:
-        print("skipped: no node is installed (apt-get install nodejs)")
+        print("pages in node: Skipped\nno node is installed, which Debian's package nodejs has")
         return 77
     with tempfile.TemporaryDirectory() as folder:
         for module in ("series.js", "predictor.js"):

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Pages of lober in a real browser: page_test.py LOBER. Ends with 77, and says why, where there is no browser."""
+"""Pages of lober in a real browser: page_test.py LOBER BROWSER. Ends with 77, and says why, where that browser is not there."""
 
 import base64
 import csv
