@@ -1,11 +1,8 @@
 #include "cli/batch/batch_page.hpp"
 
 #include <spdlog/fmt/fmt.h>
-#include <unistd.h>
 
 #include <chrono>
-#include <filesystem>
-#include <fstream>
 #include <thread>
 
 #include "cli/batch/batch_report.hpp"
@@ -28,8 +25,15 @@ struct PageRequest {
 };
 
 ExportCounts write_batch_page(const PageRequest& request) {
-  ExportCounts counts;
-  const std::string json = jobs_json(request.store, counts);
+  const detail::Store store = detail::Store::open(request.store);
+  const detail::Plan plan = detail::plan_of(store);
+  std::string jobs;
+  const ExportCounts counts = detail::for_each_result(store, plan, {}, [&](const detail::Result& result) {
+    jobs += jobs.empty() ? "" : ",";
+    detail::append_json_line(jobs, plan, result);
+  });
+  const std::string json = fmt::format("{{\"done\":{},\"failed\":{},\"missing\":{},\"jobs\":[{}]}}", counts.done,
+                                       counts.failed, counts.missing, jobs);
   write_file(request.output, viewer::batch_page_of("Batch " + request.store, json));
   return counts;
 }
@@ -45,24 +49,6 @@ void wait(double seconds) {
 }
 
 }  // namespace
-
-std::string jobs_json(const std::string& path, ExportCounts& counts, const lober::Progress& progress) {
-  const std::filesystem::path lines =
-      std::filesystem::temp_directory_path() / ("lober-page-" + std::to_string(getpid()) + ".jsonl");
-  counts = detail::export_results(detail::Store::open(path), lines.string(), ExportFormat::json_lines, {}, progress);
-  std::string json =
-      fmt::format("{{\"done\":{},\"failed\":{},\"missing\":{},\"jobs\":[", counts.done, counts.failed, counts.missing);
-  std::ifstream file(lines);
-  bool first = true;
-  for (std::string line; std::getline(file, line);) {
-    if (line.empty()) continue;
-    json += (first ? "" : ",\n") + line;
-    first = false;
-  }
-  file.close();
-  std::filesystem::remove(lines);
-  return json + "]}";
-}
 
 void run_batch_page(const std::vector<std::string>& arguments) {
   PageRequest request;

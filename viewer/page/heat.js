@@ -1,9 +1,9 @@
 // Heat maps: a value over two keys, or over the numbers of two lobes.
+import { byId } from "./text.js";
 
-// Colours from few to much, which stay apart in grey and for any colour vision (viridis, by five of its colours).
-const STOPS = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];
+const STOPS = JSON.parse(byId("heat").textContent); // those of all pictures (viewer/palette.hpp)
 
-export function heatColour(part) {
+function heatColour(part) {
   const at = Math.min(Math.max(part, 0), 1) * (STOPS.length - 1), k = Math.min(Math.floor(at), STOPS.length - 2);
   return `rgb(${STOPS[k].map((from, c) => Math.round(from + (STOPS[k + 1][c] - from) * (at - k))).join(" ")})`;
 }
