@@ -6,11 +6,11 @@
 #include <thread>
 
 #include "cli/batch/batch_report.hpp"
+#include "cli/batch/page_columns.hpp"
 #include "cli/program/command_line.hpp"
 #include "cli/program/interrupt.hpp"
 #include "cli/program/option_parser.hpp"
 #include "cli/program/output_names.hpp"
-#include "engine/batch/export/export.hpp"
 #include "lober/base/cancellation.hpp"
 #include "lober/base/error.hpp"
 #include "lober/curve/files.hpp"
@@ -25,15 +25,8 @@ struct PageRequest {
 };
 
 ExportCounts write_batch_page(const PageRequest& request) {
-  const detail::Store store = detail::Store::open(request.store);
-  const detail::Plan plan = detail::plan_of(store);
-  std::string jobs;
-  const ExportCounts counts = detail::for_each_result(store, plan, {}, [&](const detail::Result& result) {
-    jobs += jobs.empty() ? "" : ",";
-    detail::append_json_line(jobs, plan, result);
-  });
-  const std::string json = fmt::format("{{\"done\":{},\"failed\":{},\"missing\":{},\"jobs\":[{}]}}", counts.done,
-                                       counts.failed, counts.missing, jobs);
+  ExportCounts counts;
+  const std::string json = jobs_json(request.store, counts);
   write_file(request.output, viewer::batch_page_of("Batch " + request.store, json));
   return counts;
 }

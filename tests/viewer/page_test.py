@@ -278,6 +278,21 @@ def batches(browser, folder):
     colours = browser.run("(() => { const c = document.getElementById('map'), d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;"
                           "const all = new Set(); for (let k = 0; k < d.length; k += 4) all.add(`${d[k]} ${d[k + 1]} ${d[k + 2]}`); return all.size; })()")
     assert colours >= 4, colours
+    browser.run("(() => { const f = document.getElementById('filter'); f.value = ''; f.dispatchEvent(new Event('input')); })()")
+    heads = browser.run("[...document.querySelectorAll('#heads button')].map((one) => one.textContent)")
+    assert heads[:4] == ["job \u25b4", "status", "eps", "gamma"] and "lobe_area12" in heads, heads
+    browser.run("document.querySelectorAll('#heads button')[3].click()")
+    assert browser.run("[...document.querySelectorAll('#body tr')].map((one) => one.children[3].textContent)") == ["0.5", "0.5", "0.4", "0.4"]
+    browser.run("(() => { const k = document.getElementById('kind'); k.value = 'lobes'; k.dispatchEvent(new Event('change')); })()")
+    browser.run("document.querySelector('[data-thing=\"2\"]').closest('tr').click()")
+    assert browser.run("document.getElementById('of').textContent").startswith("job 2:")
+    with open(os.path.join(folder, "b.csv"), "w", encoding="utf-8") as file:
+        file.write(lober("batch", "export", os.path.join(folder, "b.results")))
+    with open(os.path.join(folder, "b.csv"), encoding="utf-8") as file:
+        exported = list(csv.DictReader(file))
+    for name in ("crossings", "lobe_area12"):
+        shown = browser.run(f"lober.columns.find((one) => one.name === '{name}')?.value(3) ?? 'not seen'")
+        assert float(exported[3][name]) == shown, (name, shown)
 
 
 if __name__ == "__main__":

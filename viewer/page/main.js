@@ -9,6 +9,7 @@ import { describe, fillAbout, fillIterates, fillLayers, fillTableChoice } from "
 import { boxOfThing, loadScene } from "./scene.js";
 import { Table } from "./table.js";
 import { byId, download } from "./text.js";
+import { apart } from "./tree.js";
 import { View } from "./view.js";
 
 const SLOW = 40; // milliseconds of a frame after which moving pictures are drawn with coarser steps
@@ -26,10 +27,14 @@ class Page {
     this.step = 0.5; // pixels between points while the picture moves
     this.scriptTime = 0; // milliseconds
     this.table = new Table({
-      choose: (layer, index) => this.select({ layer, index }),
-      zoom: (layer, index) => this.look(layer, index),
-      inView: () => this.view.box(),
+      choose: (index) => this.select({ layer: this.table.source, index }),
+      zoom: (index) => this.look(this.table.source, index),
+      accepts: () => {
+        const { source } = this.table, box = byId("in-view").checked ? this.view.box() : null;
+        return (k) => !box || !apart(boxOfThing(source, k), 0, box);
+      },
     });
+    byId("in-view").addEventListener("change", () => this.table.update());
     fillLayers(scene, () => this.redraw());
     fillAbout(scene);
     this.tableOf = fillTableChoice(scene, this.table);
@@ -177,7 +182,7 @@ class Page {
   select(thing) {
     this.state.selected = thing;
     if (thing) this.tableOf(thing.layer);
-    this.table.mark(thing);
+    this.table.mark(thing && thing.layer === this.table.source ? thing.index : null);
     this.say(thing ? describe(thing) : "");
     this.redraw();
   }

@@ -52,23 +52,30 @@ export function fillAbout(scene) {
   byId("notes").replaceChildren(...notes.map((note) => element("li", {}, note)));
 }
 
-// The choice of the layer of the table; layers of lines have no table.
+function columnsOf(layer) {
+  const name = { name: "name", value: (k) => nameOf(layer, k), text: (k) => nameOf(layer, k), rank: (k) => k };
+  return [name, ...layer.columns.map(({ name, values, bars }) => ({
+    name,
+    value: (k) => values[k],
+    text: (k) => (bars ? withBar(values[k], bars[k]) : rounded(values[k], 8)),
+    rank: (k) => (name === "area" ? Math.abs(values[k]) : values[k]),
+  }))];
+}
+
+// The choice of the layer of the table; layers of lines have no table. Gives the function that shows a layer.
 export function fillTableChoice(scene, table) {
   const layers = scene.layers.filter((layer) => layer.kind !== "lines" && layer.n > 0);
   const choice = byId("table-layer");
-  choice.replaceChildren(...layers.map((layer, k) => element("option", { value: String(k) }, layer.name)));
-  choice.addEventListener("change", () => table.show(layers[Number(choice.value)]));
-  byId("table-part").hidden = layers.length === 0;
-  const first = Math.max(0, layers.findIndex((layer) => layer.kind === "areas"));
-  if (layers.length === 0) return () => {};
-  choice.value = String(first);
-  table.show(layers[first]);
-  return (layer) => {
-    const k = layers.indexOf(layer);
-    if (k < 0 || table.layer === layer) return;
-    choice.value = String(k);
-    table.show(layer);
+  const show = (layer) => {
+    if (!layers.includes(layer) || table.source === layer) return;
+    choice.value = String(layers.indexOf(layer));
+    table.show(layer, layer.n, columnsOf(layer));
   };
+  choice.replaceChildren(...layers.map((layer, k) => element("option", { value: String(k) }, layer.name)));
+  choice.addEventListener("change", () => show(layers[Number(choice.value)]));
+  byId("table-part").hidden = layers.length === 0;
+  show(layers.find((layer) => layer.kind === "areas") ?? layers[0]);
+  return show;
 }
 
 // Iterates one after the other; `show(n)` with null for all of them.

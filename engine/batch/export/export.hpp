@@ -28,10 +28,6 @@ ExportCounts export_results(const Store& store, const std::string& path, ExportF
 ExportCounts for_each_result(const Store& store, const Plan& plan, const std::optional<std::string>& operation,
                              const std::function<void(const Result&)>& found, const Progress& progress = {});
 
-/// Appends the object of JSON lines for a result, and a line break: job, group, operation, options, first, second,
-/// status, message or the values and lists. Numbers that are not finite are null.
-void append_json_line(std::string& text, const Plan& plan, const Result& result);
-
 /// How far the plan of a store is. Reads and verifies all results.
 struct StoreSurvey {
   ExportCounts counts;

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "engine/base/json_text.hpp"
-#include "engine/batch/export/export.hpp"
 #include "engine/batch/export/export_formats.hpp"
 #include "engine/batch/manifest/swept_options.hpp"
 
@@ -76,41 +75,38 @@ void write_csv(OutputFile& file, const Plan& plan, const Operation& operation, c
   file.write(text);
 }
 
-void append_json_line(std::string& text, const Plan& plan, const Result& result) {
-  const Job& job = plan.jobs[result.job];
-  const JobGroup& group = plan.group_of(job);
-  text += "{\"job\":" + std::to_string(result.job) + ",\"group\":" + json_string(group.name) +
-          ",\"operation\":" + json_string(group.operation->name) + ",\"options\":{";
-  const char* comma = "";
-  for (const auto& [key, value] : group.options.settings()) {
-    text += comma + json_string(key) + ":" + json_option(value);
-    comma = ",";
-  }
-  text += "}";
-  if (job.first != no_curve) text += ",\"first\":" + json_string(plan.name(job.first));
-  if (job.second != no_curve) text += ",\"second\":" + json_string(plan.name(job.second));
-  if (result.failed()) {
-    text += ",\"status\":\"failed\",\"message\":" + json_string(result.error) + "}\n";
-    return;
-  }
-  const Operation& operation = *group.operation;
-  text += ",\"status\":\"done\"";
-  for (std::size_t k = 0; k < operation.columns.size(); ++k) {
-    text += "," + json_string(operation.columns[k].name) + ":" + json_number(operation.columns[k], result.values.at(k));
-  }
-  for (std::size_t k = 0; k < operation.lists.size(); ++k) {
-    text += "," + json_string(operation.lists[k]) + ":[";
-    const std::vector<double>& list = result.lists.at(k);
-    for (std::size_t m = 0; m < list.size(); ++m) text += (m == 0 ? "" : ",") + json_number({}, list[m]);
-    text += "]";
-  }
-  text += "}\n";
-}
-
 void write_json_lines(OutputFile& file, const Plan& plan, const EachResult& results) {
   std::string text;
   results([&](const Result& result) {
-    append_json_line(text, plan, result);
+    const Job& job = plan.jobs[result.job];
+    const JobGroup& group = plan.group_of(job);
+    text += "{\"job\":" + std::to_string(result.job) + ",\"group\":" + json_string(group.name) +
+            ",\"operation\":" + json_string(group.operation->name) + ",\"options\":{";
+    const char* comma = "";
+    for (const auto& [key, value] : group.options.settings()) {
+      text += comma + json_string(key) + ":" + json_option(value);
+      comma = ",";
+    }
+    text += "}";
+    if (job.first != no_curve) text += ",\"first\":" + json_string(plan.name(job.first));
+    if (job.second != no_curve) text += ",\"second\":" + json_string(plan.name(job.second));
+    if (result.failed()) {
+      text += ",\"status\":\"failed\",\"message\":" + json_string(result.error);
+    } else {
+      const Operation& operation = *group.operation;
+      text += ",\"status\":\"done\"";
+      for (std::size_t k = 0; k < operation.columns.size(); ++k) {
+        text +=
+            "," + json_string(operation.columns[k].name) + ":" + json_number(operation.columns[k], result.values.at(k));
+      }
+      for (std::size_t k = 0; k < operation.lists.size(); ++k) {
+        text += "," + json_string(operation.lists[k]) + ":[";
+        const std::vector<double>& list = result.lists.at(k);
+        for (std::size_t m = 0; m < list.size(); ++m) text += (m == 0 ? "" : ",") + json_number({}, list[m]);
+        text += "]";
+      }
+    }
+    text += "}\n";
     if (text.size() < enough) return;
     file.write(text);
     text.clear();
