@@ -48,6 +48,8 @@ def nothing_and_hostile_names(browser, folder):
     browser.run("lober.hover(lober.view.px(1), lober.view.py(1))")
     status = browser.run("document.getElementById('status').textContent")
     assert len(status) < 400 and "\u202e" not in status and status.endswith("(1, 1)"), status
+    notes = browser.run("document.getElementById('notes').textContent")
+    assert "\u202e" not in notes, notes
     assert browser.run("window.hit === undefined && document.querySelectorAll('img').length === 0")
     for link in ("#%,%E0%A4%A,1", "#,,,", "#NaN,1,1", "#1e308,-1e308,1e-300,99.x", "#1%2C0.5%2C30", "#</script><img src=x>"):
         browser.open(page, link)
@@ -115,6 +117,7 @@ def any_size(browser, folder):
     page = os.path.join(folder, "size.html")
     circle = [(math.cos(k / 50), math.sin(k / 50)) for k in range(320)]
     curves = {
+        "huger": [(1e306 * x, 1e306 * y) for x, y in circle],
         "huge": [(1e300 * x, 1e300 * y) for x, y in circle], "tiny": [(1e-300 * x, 1e-300 * y) for x, y in circle],
         "denormal": [(1e-315 * x, 1e-315 * y) for x, y in circle], "flat": [(1e300 * x, 1e-300 * y) for x, y in circle],
         "far": [(1e15 + 100 * x, 100 * y - 1e15) for x, y in circle], "one point": [(3, 4)], "equal points": [(3, 4)] * 50,
@@ -133,6 +136,20 @@ def any_size(browser, folder):
                              "[...svg.querySelectorAll('text')].map((one) => one.textContent))")
         assert labels and all(len(label) < 30 for label in labels), (name, labels)
         clean(browser)
+
+
+def largest_doubles(browser, folder):
+    """A curve wider than the largest double reaches beyond the view, which has axes all the same, and can be moved."""
+    source, page = os.path.join(folder, "largest.npy"), os.path.join(folder, "largest.html")
+    write_npy(source, [(-1.7e308, -1.7e308), (1.7e308, -1.7e308), (1.7e308, 1.7e308), (-1.7e308, 1.6e308), (0, 0)])
+    lober("view", source, "-o", page)
+    browser.open(page)
+    for change in ("1", "lober.view.zoom(1e-9)", "lober.view.zoom(1e9, 3, 3)", "lober.view.pan(1e6, 1e6)", "lober.view.reset()"):
+        browser.run(f"lober.moved(() => {change})")
+        browser.settle()
+        assert browser.run("lober.view.box().every(Number.isFinite)"), change
+        labels = browser.run("(lober.svg().match(/<text/g) ?? []).length")
+        assert labels >= 2 and "NaN" not in browser.run("lober.svg()"), (change, labels)
 
 
 def areas_of_any_size(browser, folder):
@@ -176,5 +193,5 @@ def keyboard_alone(browser, folder):
 
 
 if __name__ == "__main__":
-    sys.exit(run([millions_of_points, ten_thousand_lobes, nothing_and_hostile_names, policy_holds, any_size, areas_of_any_size,
-                  keyboard_alone]))
+    sys.exit(run([millions_of_points, ten_thousand_lobes, nothing_and_hostile_names, policy_holds, any_size, largest_doubles,
+                  areas_of_any_size, keyboard_alone]))

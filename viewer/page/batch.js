@@ -1,11 +1,11 @@
 // The page of a batch: its jobs in a table, and heat maps of their numbers.
 import { gridOf, paintGrid } from "./heat.js";
 import { Table } from "./table.js";
-import { byId, element, rounded } from "./text.js";
+import { byId, element, rounded, upright } from "./text.js";
 
 // As cli/batch/page_columns.hpp has it.
 const batch = JSON.parse(byId("batch").textContent);
-const short = (path) => path?.slice(path.lastIndexOf("/") + 1);
+const short = (path) => path && upright(path.slice(path.lastIndexOf("/") + 1));
 const columns = batch.columns.map(({ name, role, values, texts, at }) => {
   const value = values ? (k) => values[k] ?? undefined : (k) => texts[at[k]];
   const text = values ? (k) => (values[k] === null ? "" : rounded(values[k], 10)) : (k) => short(value(k)) ?? "";

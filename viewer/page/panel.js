@@ -1,10 +1,10 @@
 // The panel beside the picture: layers, the table, iterates, and what is known about the page.
 import { nameOf, sizeOf } from "./scene.js";
-import { byId, element, rounded, withBar } from "./text.js";
+import { byId, element, rounded, upright, withBar } from "./text.js";
 
-// A name within a line: so short that the rest is seen, and without characters that would turn the rest round.
+// A name within a line: so short that the rest is seen.
 function shortName(name) {
-  const plain = name.replace(/[\u202a-\u202e\u2066-\u2069]/g, "");
+  const plain = upright(name);
   return plain.length > 60 ? `${plain.slice(0, 59)}\u2026` : plain;
 }
 
@@ -49,7 +49,7 @@ export function fillAbout(scene) {
     ? "Points near crossings and of short curves are exact; exact ones of all curves would take more than 12 MB, so " +
       "others are rounded to 2^-50 of the size of their curve."
     : "All points are exact, to the last bit.");
-  byId("notes").replaceChildren(...notes.map((note) => element("li", {}, note)));
+  byId("notes").replaceChildren(...notes.map((note) => element("li", {}, upright(note))));
 }
 
 function columnsOf(layer) {

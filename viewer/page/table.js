@@ -61,7 +61,8 @@ export class Table {
       return unknown || sign * (u < v ? -1 : u > v ? 1 : 0) || a - b;
     });
     this.rows = rows;
-    byId("count").textContent = rows.length === this.n ? `${this.n}` : `${rows.length} of ${this.n}`;
+    const part = rows.length === this.n ? "" : `${rows.length} of `;
+    byId("count").textContent = `${part}${this.n} ${this.n === 1 ? "row" : "rows"}`;
     this.fill();
   }
 
