@@ -86,7 +86,7 @@ def zooms_into_a_pip(browser, folder):
     page = os.path.join(folder, "ovp.html")
     lober(*OVP, "--html", page)
     browser.open(page)
-    x, y = browser.run("(({ dots }) => [dots.x[0], dots.y[0]])(lober.scene.layers.find((one) => one.name === 'pips'))")
+    x, y = browser.run("(({ things }) => [things.x[0], things.y[0]])(lober.scene.layers.find((one) => one.name === 'pips'))")
     for depth in (1, 1e4, 1e8, 1e12):
         browser.open(page, f"#{x!r},{y!r},{depth!r},")
         browser.run(ONLY_LINES)
@@ -157,7 +157,7 @@ def agrees_with_pictures_of_the_program(browser, folder):
         return
     lober(*OVP, "--html", page)
     browser.open(page)
-    x, y = browser.run("(({ dots }) => [dots.x[0], dots.y[0]])(lober.scene.layers.find((one) => one.name === 'pips'))")
+    x, y = browser.run("(({ things }) => [things.x[0], things.y[0]])(lober.scene.layers.find((one) => one.name === 'pips'))")
     for depth in (1, 1e4, 1e8, 1e12):
         browser.open(page, f"#{x!r},{y!r},{depth!r},")
         browser.run("for (const layer of lober.scene.layers) layer.width = 3;" + ONLY_LINES)
@@ -174,7 +174,7 @@ def agrees_with_pictures_of_the_program(browser, folder):
         with open(png, "rb") as file:
             data = "data:image/png;base64," + base64.b64encode(file.read()).decode()
         # Pips, and the saddles, where curves begin.
-        marks = browser.run("lober.scene.layers.flatMap(({ kind, dots, curves }) => kind === 'dots' ? [dots] : kind === 'lines' ?"
+        marks = browser.run("lober.scene.layers.flatMap(({ kind, things, curves }) => kind === 'dots' ? [things] : kind === 'lines' ?"
                             "[{ x: [curves[0].curve.x[0]], y: [curves[0].curve.y[0]] }] : [])"
                             ".flatMap(({ x, y }) => Array.from(x, (_, k) => [lober.view.px(x[k]), lober.view.py(y[k])]))")
         lines = [colour for colour, kind in browser.run("lober.scene.layers.map((one) => [one.colour, one.kind])") if kind == "lines"]

@@ -6,7 +6,7 @@ import { listen } from "./gestures.js";
 import { hits } from "./hit.js";
 import { Measure } from "./measure.js";
 import { describe, fillAbout, fillIterates, fillLayers, fillTableChoice } from "./panel.js";
-import { boxOfThing, loadScene } from "./scene.js";
+import { loadScene } from "./scene.js";
 import { Table } from "./table.js";
 import { byId, download } from "./text.js";
 import { apart } from "./tree.js";
@@ -31,7 +31,7 @@ class Page {
       zoom: (index) => this.look(this.table.source, index),
       accepts: () => {
         const { source } = this.table, box = byId("in-view").checked ? this.view.box() : null;
-        return (k) => !box || !apart(boxOfThing(source, k), 0, box);
+        return (k) => !box || !apart(source.things.box(k), 0, box);
       },
     });
     byId("in-view").addEventListener("change", () => this.table.update());
@@ -162,7 +162,7 @@ class Page {
     this.canvas.focus({ preventScroll: true });
     if (this.measure.on) {
       const [exact] = hits(this.scene, this.view, this.state.iterate, px, py);
-      const source = exact?.layer.dots ?? exact?.layer.curves?.[exact.index].curve;
+      const source = exact?.layer.curves?.[exact.index].curve ?? (exact?.layer.kind === "dots" ? exact.layer.things : null);
       this.measure.add(...(source ? [source.x[exact.point], source.y[exact.point]] : this.view.at(px, py)));
       this.say(this.measure.text);
       return this.redraw();
@@ -188,7 +188,7 @@ class Page {
   }
   look(layer, index) {
     this.select({ layer, index, point: 0 });
-    const box = boxOfThing(layer, index);
+    const box = layer.things.box(index);
     this.moved(() => {
       this.view.show(box);
       if (layer.kind === "dots") this.view.zoom(Math.max(1, 1e4 / this.view.depth));

@@ -1,5 +1,5 @@
 // The panel beside the picture: layers, the table, iterates, and what is known about the page.
-import { nameOf, sizeOf } from "./scene.js";
+import { nameOf } from "./scene.js";
 import { byId, element, rounded, upright, withBar } from "./text.js";
 
 // A name within a line: so short that the rest is seen.
@@ -17,7 +17,7 @@ export function describe({ layer, index, point }) {
   const numbers = layer.columns
     .filter(({ values }) => Number.isFinite(values[index]))
     .map(({ name, values, bars }) => `${name} ${bars ? withBar(values[index], bars[index]) : rounded(values[index], 10)}`);
-  const at = layer.kind === "dots" ? [`at (${layer.dots.x[index]}, ${layer.dots.y[index]})`] : [];
+  const at = layer.kind === "dots" ? [`at (${layer.things.x[index]}, ${layer.things.y[index]})`] : [];
   return `${shortName(nameOf(layer, index))}: ${[...numbers, ...at].join(", ")}`;
 }
 
@@ -37,7 +37,7 @@ export function fillLayers(scene, changed) {
     layer.swatch = swatch;
     const size = layer.kind === "lines"
       ? pointsText(layer.curves.reduce((sum, one) => sum + one.n, 0))
-      : sizeOf(layer).toLocaleString("en");
+      : layer.things.size.toLocaleString("en");
     const texts = [["name", layer.name], ["size", size]].map(([className, text]) => element("span", { className }, text));
     return element("li", {}, element("label", {}, box, swatch, ...texts));
   }));
