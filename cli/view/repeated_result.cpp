@@ -55,7 +55,7 @@ std::string repeated_argument(const std::string& key, const Json& value) {
 // The system that a result names, as the command takes it: a built-in one, or the library that the user names. Nothing
 // that a file says is loaded: it may come from anybody.
 std::string repeated_system(const Json& system, const std::string& path, const std::string& library) {
-  const std::string name = system.at("name").get<std::string>();
+  std::string name = system.at("name").get<std::string>();
   if (library.empty()) {
     if (is_built_in(name)) return name;
     throw UsageError(path + ": is a result of the system \"" + name +

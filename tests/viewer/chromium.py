@@ -135,10 +135,20 @@ class Chromium(Browser):
     def wheel(self, x, y, delta):
         self.call("Input.dispatchMouseEvent", type="mouseWheel", x=x, y=y, deltaX=0, deltaY=delta)
 
-    def key(self, key):
+    def pinch(self, x, y, begin, end):
+        """Two fingers, that far from the middle, move away from each other, or nearer."""
+        for k in range(9):
+            reach = begin + (end - begin) * k / 8
+            points = [{"x": x + side * reach, "y": y, "id": side + 1} for side in (-1, 1)]
+            self.call("Input.dispatchTouchEvent", type="touchMove" if k else "touchStart", touchPoints=points)
+        self.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+        self.settle()
+
+    def key(self, key, settle=True):
         for kind in ("keyDown", "keyUp"):
             self.call("Input.dispatchKeyEvent", type=kind, key=key)
-        self.settle()
+        if settle:
+            self.settle()
 
     def navigate(self, address):
         self.call("Page.navigate", url="about:blank")

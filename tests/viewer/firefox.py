@@ -169,9 +169,19 @@ class Firefox(Browser):
     def wheel(self, x, y, delta):
         self.act("wheel", [{"type": "scroll", "x": x, "y": y, "deltaX": 0, "deltaY": delta, "duration": 0}])
 
-    def key(self, key):
-        self.act("key", [{"type": kind, "value": KEYS.get(key, key)} for kind in ("keyDown", "keyUp")])
+    def pinch(self, x, y, begin, end):
+        """Two fingers, that far from the middle, move away from each other, or nearer."""
+        def finger(number, side):
+            path = [{"type": "pointerMove", "x": x + side * (begin + (end - begin) * k / 8), "y": y, "duration": 16} for k in range(9)]
+            return {"type": "pointer", "id": f"finger{number}", "parameters": {"pointerType": "touch"},
+                    "actions": [path[0], {"type": "pointerDown", "button": 0}, *path[1:], {"type": "pointerUp", "button": 0}]}
+        self.call("WebDriver:PerformActions", actions=[finger(1, -1), finger(2, 1)])
         self.settle()
+
+    def key(self, key, settle=True):
+        self.act("key", [{"type": kind, "value": KEYS.get(key, key)} for kind in ("keyDown", "keyUp")])
+        if settle:
+            self.settle()
 
     def screenshot(self):
         return self.call("WebDriver:TakeScreenshot", full=False)["value"]

@@ -168,6 +168,30 @@ def areas_of_any_size(browser, folder):
             assert found == name, (size, x, found)
 
 
+def on_a_phone(browser, folder):
+    """All is there at 360 pixels, and two fingers zoom about the point between them."""
+    page = os.path.join(folder, "phone.html")
+    lober(*OVP, "--html", page)
+    browser.size(360, 640, mobile=True)
+    try:
+        browser.open(page)
+        browser.settle()
+        assert browser.run("document.documentElement.scrollWidth <= 360"), browser.run("document.documentElement.scrollWidth")
+        inside = browser.run("[...document.querySelectorAll('button')].filter((one) => one.offsetParent).every((one) =>"
+                             "one.closest('#panel') || one.getBoundingClientRect().right <= 360)")
+        assert inside and browser.run("lober.canvas.clientHeight > 150")
+        left, top = browser.run("(({ left, top }) => [left, top])(lober.canvas.getBoundingClientRect())")
+        kept = browser.run("lober.view.at(180, 120)")
+        browser.pinch(left + 180, top + 120, 30, 90)
+        assert abs(browser.run("lober.view.depth") - 3) < 0.2, browser.run("lober.view.depth")
+        size = 1 / browser.run("lober.view.scale")
+        assert all(abs(a - b) < 4 * size for a, b in zip(kept, browser.run("lober.view.at(180, 120)")))
+        browser.pinch(left + 180, top + 120, 90, 30)
+        assert abs(browser.run("lober.view.depth") - 1) < 0.1, browser.run("lober.view.depth")
+    finally:
+        browser.size(1000, 800)
+
+
 def keyboard_alone(browser, folder):
     page = os.path.join(folder, "ovp.html")
     lober(*OVP, "--html", page)
@@ -175,7 +199,7 @@ def keyboard_alone(browser, folder):
     focused = "document.activeElement.textContent"
     seen = set()
     for _ in range(60):
-        browser.key("Tab")
+        browser.key("Tab", settle=False)
         seen.add(browser.run("document.activeElement.id || document.activeElement.textContent"))
     assert {"zoom-in", "picture", "filter", "rows"} <= seen and any("L12(1)" in one for one in seen), seen
     browser.run("document.querySelector('[data-thing]').focus()")
@@ -194,4 +218,4 @@ def keyboard_alone(browser, folder):
 
 if __name__ == "__main__":
     sys.exit(run([millions_of_points, ten_thousand_lobes, nothing_and_hostile_names, policy_holds, any_size, largest_doubles,
-                  areas_of_any_size, keyboard_alone]))
+                  areas_of_any_size, on_a_phone, keyboard_alone]))
