@@ -1,7 +1,7 @@
 # Writes the sources of pages into a C++ file. Modules are joined into one script in the order given: names are unique among
 # them, so imports fall away. Run as cmake -DFOLDER=... -DOUTPUT=... -P embed.cmake
-set(page_modules predictor series text tree view pen axes shapes hit scene draw export measure columns table panel gestures main)
-set(batch_modules text columns heat batch)
+set(page_modules predictor series text tree view pen axes shapes hit scene draw export measure table panel gestures main)
+set(batch_modules text table heat batch)
 
 function(embed name text)
   set(code "${code}const std::string_view ${name} = R\"viewer(${text})viewer\";\n" PARENT_SCOPE)

@@ -11,6 +11,7 @@
 #include "viewer/base64.hpp"
 #include "viewer/embedded.hpp"
 #include "viewer/page_data.hpp"
+#include "viewer/palette.hpp"
 
 namespace lober::viewer {
 namespace {
@@ -98,8 +99,13 @@ std::string batch_page_of(const std::string& title, std::string_view json) {
   std::string text(json);
   for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
     text.replace(at, 1, "\\u003c");
+  std::string colours;
+  for (const auto& [red, green, blue] : palette::heat) {
+    append_all(colours, colours.empty() ? "[" : ",[", red, ",", green, ",", blue, "]");
+  }
   return page_with(batch_html, title, batch_script,
-                   "<script type=\"application/json\" id=\"batch\">" + text + "</script>\n");
+                   "<script type=\"application/json\" id=\"batch\">" + text + "</script>\n" +
+                       "<script type=\"application/json\" id=\"heat\">[" + colours + "]</script>\n");
 }
 
 }  // namespace lober::viewer

@@ -13,7 +13,7 @@ namespace lober::viewer {
 inline constexpr std::size_t max_exact_size = 12'000'000;
 
 /// The page of a scene, as HTML. Texts of the scene stay texts, whatever is in them. Throws DataError for coordinates
-/// that are not finite. O(N), parallel; about 5 bytes a point of curves that were grown.
+/// that are not finite. O(N), parallel; about 5 bytes a point, as written, of curves that were grown.
 [[nodiscard]] std::string page_of(const Scene& scene);
 
 /// Writes the page to a file, which appears when it is complete.

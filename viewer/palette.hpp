@@ -3,6 +3,8 @@
 // can tell apart, and keep apart in grey.
 #pragma once
 
+#include <array>
+
 namespace lober::palette {
 
 inline constexpr const char* ink = "#222222";       ///< axes, texts, dots
@@ -27,5 +29,9 @@ inline constexpr const char* flux = "#cc79a7";   ///< a(n)
 inline constexpr const char* total = ink;        ///< T(n)
 inline constexpr const char* action = stable;    ///< by action
 inline constexpr const char* estimate = common;  ///< to first order
+
+/// Heat maps, from few to much: viridis, by five of its colours (red, green, blue), which are mixed between them.
+inline constexpr std::array<std::array<int, 3>, 5> heat{
+    {{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}}};
 
 }  // namespace lober::palette

@@ -1,19 +1,16 @@
 #include "cli/batch/batch_page.hpp"
 
 #include <spdlog/fmt/fmt.h>
-#include <unistd.h>
 
 #include <chrono>
-#include <filesystem>
-#include <fstream>
 #include <thread>
 
 #include "cli/batch/batch_report.hpp"
+#include "cli/batch/page_columns.hpp"
 #include "cli/program/command_line.hpp"
 #include "cli/program/interrupt.hpp"
 #include "cli/program/option_parser.hpp"
 #include "cli/program/output_names.hpp"
-#include "engine/batch/export/export.hpp"
 #include "lober/base/cancellation.hpp"
 #include "lober/base/error.hpp"
 #include "lober/curve/files.hpp"
@@ -45,24 +42,6 @@ void wait(double seconds) {
 }
 
 }  // namespace
-
-std::string jobs_json(const std::string& path, ExportCounts& counts, const lober::Progress& progress) {
-  const std::filesystem::path lines =
-      std::filesystem::temp_directory_path() / ("lober-page-" + std::to_string(getpid()) + ".jsonl");
-  counts = detail::export_results(detail::Store::open(path), lines.string(), ExportFormat::json_lines, {}, progress);
-  std::string json =
-      fmt::format("{{\"done\":{},\"failed\":{},\"missing\":{},\"jobs\":[", counts.done, counts.failed, counts.missing);
-  std::ifstream file(lines);
-  bool first = true;
-  for (std::string line; std::getline(file, line);) {
-    if (line.empty()) continue;
-    json += (first ? "" : ",\n") + line;
-    first = false;
-  }
-  file.close();
-  std::filesystem::remove(lines);
-  return json + "]}";
-}
 
 void run_batch_page(const std::vector<std::string>& arguments) {
   PageRequest request;

@@ -74,7 +74,7 @@ struct Steps {
 
   Steps(const JobValues& jobs, const std::vector<std::size_t>& chosen, const std::string& name) {
     for (const std::size_t k : chosen) {
-      const Json& value = jobs.value(k, name);
+      const Json value = jobs.value(k, name);
       if (!value.is_null() && positions.emplace(value, values.size()).second) values.push_back(value);
     }
     if (!are_numbers()) return;
@@ -118,7 +118,7 @@ std::vector<std::size_t> chosen_jobs(const JobValues& jobs, const std::vector<st
     const std::optional<double> number = number_of(text);
     require_name("--where", name, jobs.varied());
     std::erase_if(chosen, [&](std::size_t k) {
-      const Json& value = jobs.value(k, name);
+      const Json value = jobs.value(k, name);
       return !(value.is_number() ? number && value.get<double>() == *number : plain(value) == text || value == text);
     });
     if (chosen.empty()) throw UsageError("--where " + one + ": no job that is done has this value");
@@ -144,7 +144,7 @@ std::vector<std::size_t> chosen_jobs(const JobValues& jobs, const std::vector<st
 }
 
 std::string title_of(const BatchPictureRequest& request, const JobValues& jobs, const std::string& what) {
-  const Json& system = jobs.value(0, "system");
+  const Json system = jobs.value(0, "system");
   std::string title =
       (system.is_string() ? short_name(system.get<std::string>()) : short_name(request.store)) + ": " + what;
   for (const std::string& one : request.where) title += ", " + one;
@@ -170,7 +170,7 @@ void add_curve(Figure& figure, const JobValues& jobs, const std::vector<std::siz
     const double height = jobs.value(k, value).get<double>();
     double error = 0;
     for (const std::string& name : {value + "_error", "discretisation_" + value}) {
-      if (const Json& one = jobs.value(k, name); one.is_number()) error = one.get<double>(), has_errors = true;
+      if (const Json one = jobs.value(k, name); one.is_number()) error = one.get<double>(), has_errors = true;
     }
     dots.points.push_back({along, height});
     dots.errors.push_back(error);
@@ -244,20 +244,19 @@ Figure jobs_figure(const BatchPictureRequest& request, const JobValues& jobs) {
 // The overlaps of the lobes of one job, for i against j and for j against i.
 Figure overlaps_figure(const BatchPictureRequest& request, const JobValues& jobs) {
   for (std::size_t k = 0; k < jobs.size(); ++k) {
-    const Json& job = jobs.job(k);
-    if (job["job"].get<std::int64_t>() != request.overlaps) continue;
-    const auto i = job.find("overlap_i"), j = job.find("overlap_j"), areas = job.find("overlap_areas");
-    if (areas == job.end()) {
+    if (jobs.number(k) != request.overlaps) continue;
+    const auto i = jobs.list(k, "overlap_i"), j = jobs.list(k, "overlap_j"), areas = jobs.list(k, "overlap_areas");
+    if (areas.empty() && jobs.value(k, "overlaps") != true) {
       throw UsageError("--overlaps " + std::to_string(request.overlaps) +
                        ": the job has no overlaps of lobes; a job of tangle has them with the option overlaps = true");
     }
-    std::size_t lobes = job.value("lobes", std::size_t{0});
+    const Json counted_lobes = jobs.value(k, "lobes");
+    std::size_t lobes = counted_lobes.is_number() ? counted_lobes.get<std::size_t>() : 0;
     std::vector<HeatCell> cells;
-    for (std::size_t n = 0; n < areas->size(); ++n) {
-      const auto a = (*i)[n].get<std::size_t>(), b = (*j)[n].get<std::size_t>();
-      const double area = (*areas)[n].is_number() ? (*areas)[n].get<double>() : HUGE_VAL;
-      cells.push_back({a, b, area});
-      if (a != b) cells.push_back({b, a, area});
+    for (std::size_t n = 0; n < areas.size(); ++n) {
+      const auto a = static_cast<std::size_t>(i[n]), b = static_cast<std::size_t>(j[n]);
+      cells.push_back({a, b, areas[n]});
+      if (a != b) cells.push_back({b, a, areas[n]});
       lobes = std::max({lobes, a + 1, b + 1});
     }
     std::vector<double> numbers;

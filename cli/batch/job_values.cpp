@@ -1,12 +1,13 @@
 #include "cli/batch/job_values.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
-#include "cli/batch/batch_page.hpp"
 #include "engine/base/nearest_word.hpp"
+#include "engine/batch/export/export.hpp"
+#include "engine/batch/operations/option_json.hpp"
 #include "lober/base/error.hpp"
-#include "lober/batch.hpp"
 
 namespace lober::cli {
 namespace {
@@ -21,14 +22,21 @@ std::string short_option(const std::string& key) {
 }  // namespace
 
 JobValues::JobValues(const std::string& store, const std::string& operation, const lober::Progress& progress) {
-  ExportCounts counts;
-  const Json exported = Json::parse(jobs_json(store, counts, progress));
-  std::vector<std::string> operations;
-  for (const Json& job : exported["jobs"]) {
-    const std::string name = job["operation"];
-    if (std::find(operations.begin(), operations.end(), name) == operations.end()) operations.push_back(name);
-    if (job["status"] == "done" && (operation.empty() || name == operation)) jobs_.push_back(job);
-  }
+  const detail::Store opened = detail::Store::open(store);
+  plan_ = detail::plan_of(opened);
+  std::vector<std::string> operations;  // that have results
+  detail::for_each_result(
+      opened, plan_, {},
+      [&](const detail::Result& result) {
+        const detail::Operation* const one = plan_.group_of(plan_.jobs[result.job]).operation;
+        if (std::find(operations.begin(), operations.end(), one->name) == operations.end()) {
+          operations.push_back(one->name);
+        }
+        if (result.failed() || (!operation.empty() && one->name != operation)) return;
+        operation_ = one;
+        jobs_.push_back(result);
+      },
+      progress);
   if (operation.empty() && operations.size() > 1) {
     throw UsageError("the store has several operations; choose one by --operation: " + detail::joined(operations));
   }
@@ -37,36 +45,72 @@ JobValues::JobValues(const std::string& store, const std::string& operation, con
                      detail::joined(operations));
   }
   if (jobs_.empty()) throw DataError(store + ": no job is done yet, so there is nothing to draw");
-  // Names in the order in which the export has them.
-  std::vector<std::string> inputs, options;
-  std::set<std::string> seen;
-  for (const Json& job : jobs_) {
-    for (const auto& [key, one] : job["options"].items()) {
-      if (seen.insert("options." + key).second) options.push_back(short_option(key));
-    }
-    for (const auto& [key, one] : job.items()) {
-      if (!seen.insert(key).second) continue;
-      if (key == "first" || key == "second") inputs.push_back(key);
-      if (one.is_number() && key != "job") results_.push_back(key);
+  find_varied();
+  find_results();
+}
+
+void JobValues::find_varied() {
+  for (const char* const input : {"first", "second"}) {
+    const auto curve = [&](std::size_t k) { return input[0] == 'f' ? job(k).first : job(k).second; };
+    for (std::size_t k = 1; k < jobs_.size(); ++k) {
+      if (curve(k) == curve(0)) continue;
+      varied_.emplace_back(input);
+      break;
     }
   }
-  inputs.insert(inputs.end(), options.begin(), options.end());
-  for (const std::string& name : inputs) {
-    const auto differs = [&](std::size_t k) { return value(k, name) != value(0, name); };
-    bool varies = false;
-    for (std::size_t k = 1; k < jobs_.size() && !varies; ++k) varies = differs(k);
-    if (varies) varied_.push_back(name);
+  // Jobs of one group have the same options.
+  std::vector<std::size_t> first_jobs;
+  std::set<std::uint32_t> groups;
+  std::vector<std::string> options;
+  std::set<std::string> known;
+  for (std::size_t k = 0; k < jobs_.size(); ++k) {
+    if (!groups.insert(job(k).group).second) continue;
+    first_jobs.push_back(k);
+    for (const auto& [key, value] : plan_.group_of(job(k)).options.settings()) {
+      if (known.insert(key).second) options.push_back(short_option(key));
+    }
+  }
+  for (const std::string& name : options) {
+    const Json first = option(0, name);
+    if (std::any_of(first_jobs.begin(), first_jobs.end(), [&](std::size_t k) { return option(k, name) != first; })) {
+      varied_.push_back(name);
+    }
   }
 }
 
-const Json& JobValues::value(std::size_t job, const std::string& name) const {
-  static const Json none;
-  const Json &one = jobs_[job], &options = one["options"];
-  for (const std::string& key : {name, option_prefix + name}) {
-    if (const auto found = options.find(key); found != options.end()) return *found;
+void JobValues::find_results() {
+  for (std::size_t column = 0; column < operation_->columns.size(); ++column) {
+    const auto is_known = [&](const detail::Result& one) { return std::isfinite(one.values.at(column)); };
+    if (std::any_of(jobs_.begin(), jobs_.end(), is_known)) results_.push_back(operation_->columns[column].name);
   }
-  const auto found = one.find(name);
-  return found != one.end() ? *found : none;
+}
+
+Json JobValues::option(std::size_t k, const std::string& name) const {
+  const detail::Options& options = plan_.group_of(job(k)).options;
+  const detail::OptionValue* value = options.find(name);
+  if (value == nullptr) value = options.find(option_prefix + name);
+  return value != nullptr ? detail::json_of<Json>(*value) : Json();
+}
+
+Json JobValues::value(std::size_t k, const std::string& name) const {
+  if (Json found = option(k, name); !found.is_null()) return found;
+  const auto name_of = [&](detail::CurveId curve) {
+    return curve == detail::no_curve ? Json() : Json(plan_.name(curve));
+  };
+  if (name == "first") return name_of(job(k).first);
+  if (name == "second") return name_of(job(k).second);
+  const auto& columns = operation_->columns;
+  const auto at = std::find_if(columns.begin(), columns.end(), [&](const auto& one) { return one.name == name; });
+  if (at == columns.end()) return {};
+  const double number = jobs_[k].values.at(static_cast<std::size_t>(at - columns.begin()));
+  if (!std::isfinite(number)) return {};
+  return at->kind == detail::Column::Kind::count ? Json(static_cast<std::int64_t>(number)) : Json(number);
+}
+
+std::span<const double> JobValues::list(std::size_t k, std::string_view name) const {
+  const auto at = std::find(operation_->lists.begin(), operation_->lists.end(), name);
+  const auto number = static_cast<std::size_t>(at - operation_->lists.begin());
+  return number < jobs_[k].lists.size() ? std::span<const double>(jobs_[k].lists[number]) : std::span<const double>();
 }
 
 }  // namespace lober::cli

@@ -108,7 +108,7 @@ void add_axes_of_box(Figure& figure, const Projection& project, const std::array
 }
 
 // Colours of trajectories that leave by a bottleneck, and of those that come back to the section.
-constexpr const char *leaving_colour = palette::unstable, *staying_colour = palette::ink;
+constexpr const char *leaving_colour = palette::leaving, *staying_colour = palette::ink;
 
 bool comes_back(std::span<const FlowState> states, const Section& section) {
   return states.back()[static_cast<std::size_t>(section.coordinate)] == section.value;

@@ -7,6 +7,7 @@
 
 #include "cli/picture/system_figure.hpp"
 #include "cli/picture/ticks.hpp"
+#include "viewer/palette.hpp"
 
 namespace lober::cli {
 namespace {
@@ -14,17 +15,13 @@ namespace {
 constexpr int max_classes = 8;
 constexpr double max_step_ratio = 3;
 
-// From dark to light, apart in grey and for any colour vision: viridis, by five of its colours, as on the page.
-constexpr std::array<std::array<int, 3>, 5> heat_stops{
-    {{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {253, 231, 37}}};
-
 std::string heat_colour(double part) {
-  const double at = std::clamp(part, 0.0, 1.0) * (heat_stops.size() - 1);
-  const std::size_t k = std::min(static_cast<std::size_t>(at), heat_stops.size() - 2);
+  const double at = std::clamp(part, 0.0, 1.0) * (palette::heat.size() - 1);
+  const std::size_t k = std::min(static_cast<std::size_t>(at), palette::heat.size() - 2);
   std::array<int, 3> mixed{};
   for (std::size_t c = 0; c < mixed.size(); ++c) {
-    mixed[c] = static_cast<int>(
-        std::lround(heat_stops[k][c] + (heat_stops[k + 1][c] - heat_stops[k][c]) * (at - static_cast<double>(k))));
+    mixed[c] = static_cast<int>(std::lround(palette::heat[k][c] + (palette::heat[k + 1][c] - palette::heat[k][c]) *
+                                                                      (at - static_cast<double>(k))));
   }
   std::array<char, 16> text{};
   std::snprintf(text.data(), text.size(), "#%02x%02x%02x", static_cast<unsigned>(mixed[0]),

@@ -13,7 +13,7 @@
 namespace lober::cli {
 namespace {
 
-constexpr double inset_tick_size = 5.5, inset_gap = 3;
+constexpr double inset_tick_size = min_text_size, inset_gap = 3;
 
 // Parts of the plot's sides that an inset has, and how many hidden cells of the occupancy each is worth.
 struct InsetShare {

@@ -190,7 +190,7 @@ void add_labels(std::string& svg, const Figure& figure, const View& view, const 
     }
   }
   for (const FigureLabel& label : figure.labels) {
-    const double size = scale * label.size;
+    const double size = std::max(min_text_size, scale * label.size);
     switch (label.position) {
       case FigureLabel::Position::beside:
         if (view.contains(label.at) && !(taken != nullptr && taken->holds(view(label.at))))

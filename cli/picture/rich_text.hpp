@@ -7,6 +7,9 @@
 
 namespace lober::cli {
 
+/// The smallest text that can be read in print.
+inline constexpr double min_text_size = 6;
+
 /// The text of an element, with entities for the characters that have a meaning in SVG.
 [[nodiscard]] std::string escaped(std::string_view text);
 

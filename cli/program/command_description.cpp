@@ -9,11 +9,11 @@ namespace {
 
 // The groups of options, which are the same for all commands. Those in none of the lists choose what is computed.
 constexpr std::string_view inputs_group[]{
-    "--at",     "--bip",          "--bip-near",  "--bound",       "--boundary", "--box",       "--branch",
-    "--circle", "--closure",      "--direction", "--energy",      "--from",     "--manifolds", "--no-closed",
-    "--open",   "--open-against", "--operation", "--param",       "--range",    "--rectangle", "--reverse",
-    "--rule",   "--s-direction",  "--saddle",    "--section",     "--stable",   "--start",     "--sweep",
-    "--system", "--time",         "--to",        "--u-direction", "--unstable"};
+    "--at",        "--bip",     "--bip-near",     "--bound",     "--boundary",    "--box",     "--branch",
+    "--circle",    "--closure", "--direction",    "--energy",    "--from",        "--library", "--manifolds",
+    "--no-closed", "--open",    "--open-against", "--operation", "--param",       "--range",   "--rectangle",
+    "--reverse",   "--rule",    "--s-direction",  "--saddle",    "--section",     "--stable",  "--start",
+    "--sweep",     "--system",  "--time",         "--to",        "--u-direction", "--unstable"};
 constexpr std::string_view accuracy_group[]{"--angle",
                                             "--distance-angle",
                                             "--grid",
@@ -40,7 +40,7 @@ constexpr std::string_view accuracy_group[]{"--angle",
                                             "--tolerance",
                                             "--verify",
                                             "--method"};
-constexpr std::string_view files_to_read[]{"--manifolds"};
+constexpr std::string_view files_to_read[]{"--library", "--manifolds"};
 constexpr std::string_view results_group[]{"--bibtex", "--format", "--markdown", "--table"};
 constexpr std::string_view pictures_group[]{
     "--svg",      "--picture",   "--fluxes",          "--data",      "--window", "--inset",     "--size", "--title",

@@ -35,11 +35,13 @@ std::vector<std::string> files_of_system(const std::string& name) {
   return is_library_path(name) ? std::vector{name} : std::vector<std::string>{};
 }
 
-bool is_system(const std::string& argument) {
-  if (argument.ends_with(".so")) return true;
+bool is_built_in(const std::string& name) {
   const std::vector<SystemInfo> built_in = list_systems();
-  return std::any_of(built_in.begin(), built_in.end(), [&](const SystemInfo& info) { return info.name == argument; }) &&
-         !std::filesystem::exists(argument);
+  return std::any_of(built_in.begin(), built_in.end(), [&](const SystemInfo& info) { return info.name == name; });
+}
+
+bool is_system(const std::string& argument) {
+  return argument.ends_with(".so") || (is_built_in(argument) && !std::filesystem::exists(argument));
 }
 
 ParameterValues parameter_values(const std::vector<std::string>& texts) {

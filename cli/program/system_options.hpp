@@ -24,6 +24,8 @@ void add_parameter_option(OptionParser& parser, std::vector<std::string>& parame
 /// --integration-tolerance T.
 void add_integration_option(OptionParser& parser, IntegrationOptions& integration);
 
+/// Whether a system of the program has this name.
+[[nodiscard]] bool is_built_in(const std::string& name);
 /// Whether an argument that could name a file names a system: a built-in one, no file being called that, or a
 /// library (.so).
 [[nodiscard]] bool is_system(const std::string& argument);

@@ -39,21 +39,43 @@ std::string argument_text(const Json& value) {
   return text;
 }
 
+// The name of a file that could be taken for an option.
+std::string as_argument(const std::string& name) {
+  return name.starts_with('-') ? "./" + name : name;
+}
+
 // Options whose names on the command line are not those of the table.
 std::string repeated_argument(const std::string& key, const Json& value) {
-  if (key == "side") return "--" + value.get<std::string>();
+  if (key == "side") return value == "stable" ? "--stable" : "--unstable";  // the key of a choice could be any text
   if (key == "bip_near") return "--bip-near=" + argument_text(value);
   if (key == "max_memory") return "--memory=" + argument_text(value);
   return option_name(key) + "=" + argument_text(value);
 }
 
+// The system that a result names, as the command takes it: a built-in one, or the library that the user names. Nothing
+// that a file says is loaded: it may come from anybody.
+std::string repeated_system(const Json& system, const std::string& path, const std::string& library) {
+  std::string name = system.at("name").get<std::string>();
+  if (library.empty()) {
+    if (is_built_in(name)) return name;
+    throw UsageError(path + ": is a result of the system \"" + name +
+                     "\", which is not one of lober; give --library FILE, the shared library that has it, if you trust "
+                     "its code, which runs");
+  }
+  if (const std::string own = make_system(library, {}, {}).info.name; own != name) {
+    throw UsageError("--library: " + library + " has the system \"" + own + "\", and " + path + " is a result of \"" +
+                     name + "\"");
+  }
+  return library;
+}
+
 // Options that follow from the system where they are not given: results name the values that were used, and a tangle
 // that is given is not the system's own, which knows more about it.
-std::map<std::string, Json> connection_of(const Json& system) {
+std::map<std::string, Json> connection_of(const std::string& chosen, const Json& system) {
   std::map<std::string, Json> known;
   ParameterValues values;
   for (const auto& [name, value] : system.at("parameters").items()) values.emplace_back(name, value.get<double>());
-  const auto input = operations::system_input(system.at("name").get<std::string>(), values, {});
+  const auto input = operations::system_input(chosen, values, {});
   if (!input.system->connection) return known;
   const Connection& connection = *input.system->connection;
   known = {{"from", point_json(connection.from)},
@@ -80,7 +102,8 @@ void add_repeated_options(std::vector<std::string>& arguments, const operations:
       const bool on = value.get<bool>();
       if (spec->fallback == operations::OptionValue(on)) continue;
       arguments.push_back((on ? "--" : "--no-") + option_name(key).substr(2));
-    } else if (key == "rule" || spec->optional || argument_text(value) != operations::to_string(spec->fallback)) {
+    } else if (key == "rule" || key == "side" || spec->optional ||
+               argument_text(value) != operations::to_string(spec->fallback)) {
       const std::string bip_near = "bip_near";
       arguments.push_back(bip_is_point && key == bip_near ? "--bip=" + argument_text(value)
                                                           : repeated_argument(key, value));
@@ -102,7 +125,8 @@ void add_repeated_curves(std::vector<std::string>& arguments, const Json& result
     std::string name = is_name ? input.get<std::string>() : input.value("spec", input.at("file").get<std::string>());
     if (!is_name && input.contains("zone") && !input.contains("spec")) name += "#" + input.at("zone").dump();
     require_same(detail::file_of_curve(name), is_name ? result.at("sha256").at(k) : input.at("sha256"));
-    arguments.push_back(name.starts_with('-') ? "./" + name : name);  // no option
+    if (is_system(name)) throw DataError(path + ": names the system " + name + " where a curve is expected");
+    arguments.push_back(as_argument(name));
     if (!is_name && input.value("reversed", false)) reversed += k == 0 ? "u" : "s";
   }
   if (!reversed.empty()) arguments.push_back("--reverse=" + (reversed == "us" ? "both" : reversed));
@@ -113,8 +137,9 @@ void add_repeated_curves(std::vector<std::string>& arguments, const Json& result
 }
 
 // A parameter that is an option of the command too, as the energy of an escape, is given once.
-void add_repeated_system(std::vector<std::string>& arguments, const Json& system, const Json& options) {
-  arguments.push_back(system.at("name").get<std::string>());
+void add_repeated_system(std::vector<std::string>& arguments, const std::string& chosen, const Json& system,
+                         const Json& options) {
+  arguments.push_back(as_argument(chosen));
   for (const auto& [name, value] : system.at("parameters").items()) {
     if (!options.contains(name)) arguments.push_back("--param=" + name + "=" + argument_text(value));
   }
@@ -123,7 +148,7 @@ void add_repeated_system(std::vector<std::string>& arguments, const Json& system
   }
 }
 
-RepeatedResult repeated(const Json& result, const std::string& path) {
+RepeatedResult repeated(const Json& result, const std::string& path, const std::string& library) {
   RepeatedResult run{result.at("command").get<std::string>(), {}};
   const operations::Operation* const operation = repeated_operation(run.command, result);
   if (operation == nullptr) {
@@ -133,11 +158,14 @@ RepeatedResult repeated(const Json& result, const std::string& path) {
   const bool from_curves = !result.contains("system");
   std::map<std::string, Json> known;
   if (from_curves) {
+    if (!library.empty()) throw UsageError("--library: " + path + " is a result of curves, which needs no system");
     if (run.command == "transport") run.arguments.emplace_back("--manifolds");
     add_repeated_curves(run.arguments, result, path);
   } else {
-    add_repeated_system(run.arguments, result.at("system"), result.at("options"));
-    if (run.command != "escape") known = connection_of(result.at("system"));
+    const Json& system = result.at("system");
+    const std::string name = repeated_system(system, path, library);
+    add_repeated_system(run.arguments, name, system, result.at("options"));
+    if (run.command != "escape") known = connection_of(name, system);
   }
   const bool bip_is_point = from_curves && run.command != "curve-transport";  // --bip, which takes a number there
   add_repeated_options(run.arguments, *operation, result.at("options"), path, known, bip_is_point);
@@ -146,7 +174,7 @@ RepeatedResult repeated(const Json& result, const std::string& path) {
 
 }  // namespace
 
-std::optional<RepeatedResult> repeated_result(const std::string& path) {
+std::optional<RepeatedResult> repeated_result(const std::string& path, const std::string& library) {
   std::ifstream file(path, std::ios::binary);
   constexpr std::size_t head = 64;
   std::string text(head, '\0');
@@ -159,7 +187,7 @@ std::optional<RepeatedResult> repeated_result(const std::string& path) {
   const Json result = Json::parse(text, nullptr, false);
   if (!result.is_object() || !result.contains("program") || !result.contains("command")) return std::nullopt;
   try {
-    return repeated(result, path);
+    return repeated(result, path, library);
   } catch (const Json::exception& error) {
     throw DataError(path + ": cannot be read as a result of lober: " + error.what());
   }

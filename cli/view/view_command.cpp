@@ -9,6 +9,7 @@
 #include "cli/program/commands.hpp"
 #include "cli/program/option_parser.hpp"
 #include "cli/program/output_names.hpp"
+#include "cli/program/system_options.hpp"
 #include "cli/report/report.hpp"
 #include "cli/view/repeated_result.hpp"
 #include "engine/files/curve_spec.hpp"
@@ -22,7 +23,7 @@ namespace {
 
 struct ViewRequest {
   std::vector<std::string> inputs;
-  std::string output;
+  std::string output, library;
   bool closed = false;
   int threads = 0;
 };
@@ -45,6 +46,11 @@ std::optional<ViewRequest> parse_view(const std::vector<std::string>& arguments)
   parser.add("-o,--output", request.output, "Write the page to FILE.").value("FILE").required();
   parser.add_flag("--closed", request.closed,
                   "Join the last point of each curve to the first (default: where they are equal).");
+  parser
+      .add("--library", request.library,
+           "The shared library that has the system of the RESULT, where that is not one of lober; its code runs "
+           "(default: no library is loaded, whatever a RESULT names).")
+      .value("FILE");
   add_threads_option(parser, request.threads);
   if (!parser.parse(arguments)) return std::nullopt;
   return request;
@@ -101,14 +107,22 @@ void run_view(const std::vector<std::string>& arguments) {
   const std::optional<ViewRequest> request = parse_view(arguments);
   if (!request) return;
   require_fitting_name("--html", request->output);
-  check_outputs(std::vector<Output>{{"-o", request->output}}, request->inputs);
+  std::vector<std::string> read = request->inputs;
+  if (!request->library.empty()) {
+    if (!is_library_path(request->library) || !is_system(request->library)) {
+      throw UsageError("--library: " + request->library + " does not end in .so, as shared libraries do");
+    }
+    read.push_back(request->library);
+  }
+  check_outputs(std::vector<Output>{{"-o", request->output}}, read);
   if (request->inputs.size() == 1) {
-    if (auto result = repeated_result(request->inputs.front())) {
+    if (auto result = repeated_result(request->inputs.front(), request->library)) {
       result->arguments.push_back("--html=" + request->output);
       if (request->threads > 0) result->arguments.push_back("--threads=" + std::to_string(request->threads));
       return run_command(result->command, result->arguments);
     }
   }
+  if (!request->library.empty()) throw UsageError("--library: curves need no system; give it with a RESULT");
   run_with_threads(request->threads, [&] { run(*request); });
 }
 

@@ -1,14 +1,17 @@
 #!/usr/bin/env python3
-"""The commands that write pages, without a browser: command_test.py LOBER."""
+"""The commands that write pages, without a browser: command_test.py LOBER LIBRARY."""
 
+import hashlib
 import json
 import os
 import shutil
+import sqlite3
 import subprocess
 import sys
 import tempfile
 
 PROGRAM = os.path.abspath(sys.argv[1])
+LIBRARY = os.path.abspath(sys.argv[2])  # which leaves a file named "loaded" where it is loaded
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../examples")
 
 
@@ -90,6 +93,93 @@ def what_cannot_be_shown_is_refused():
     assert not os.path.exists("c.html")
 
 
+def with_changes(source, target, **changes):
+    result = json.loads(content(source))
+    for key, value in changes.items():
+        at = result
+        *path, last = key.split("__")
+        for one in path:
+            at = at[one]
+        at[last] = value
+    with open(target, "w") as file:
+        file.write(json.dumps(result))
+
+
+def loaded():
+    """Whether the library has been loaded since the last call."""
+    found = os.path.exists("loaded")
+    if found:
+        os.remove("loaded")
+    return found
+
+
+def results_of_others_load_no_library():
+    shutil.copy(LIBRARY, "loud.so")
+    map_of = ["--from=1.520408798,1.155821457", "--unstable", "--length=1"]
+    run("grow", "./loud.so", *map_of, "--json", "own.json", "--html", "own.html")
+    assert loaded()
+    run("view", "own.json", "-o", "again.html", status=2, says="give --library FILE")
+    for name in ("./loud.so", "loud.so", os.path.abspath("loud.so"), "--json=stolen.json"):
+        with_changes("own.json", "bad.json", system__name=name)
+        run("view", "bad.json", "-o", "again.html", status=2, says="give --library FILE")
+    assert not loaded()
+    with open("loud.so", "rb") as file:
+        digest = hashlib.sha256(file.read()).hexdigest()
+    run("tangle", "manifolds.dat#0", "manifolds.dat#1", "--json", "t.json")
+    for spec in ("loud.so", "./loud.so"):  # in place of a curve, which tangle and transport take for a system
+        with_changes("t.json", "bad.json", inputs=[{"file": "loud.so", "spec": spec, "sha256": digest}])
+        run("view", "bad.json", "-o", "again.html", status=1, says="where a curve is expected")
+    with_changes("own.json", "bad.json", system__name="henon", options__side="json=stolen.json")
+    subprocess.run([PROGRAM, "view", "bad.json", "-o", "no.html"], capture_output=True)
+    assert not os.path.exists("stolen.json") and not os.path.exists("again.html") and not loaded()
+    run("view", "own.json", "-o", "again.html", "--library", "./loud.so")
+    assert loaded() and content("again.html") == content("own.html")
+    with_changes("own.json", "bad.json", system__name="henon")
+    run("view", "bad.json", "-o", "no.html", "--library", "./loud.so", status=2, says="is a result of")
+    run("view", "manifolds.dat", "-o", "no.html", "--library", "./loud.so", status=2, says="curves need no system")
+    run("view", "own.json", "-o", "no.html", "--library", "loud", status=2, says="does not end in .so")
+    run("view", "own.json", "-o", "loud.so", "--library", "loud.so", status=2)
+    loaded()
+
+
+def checksum(data):
+    """As in the stores of batches."""
+    total = 0x9E3779B97F4A7C15
+    words = [len(data)] + [int.from_bytes(data[k:k + 8], "little") for k in range(0, len(data), 8)]
+    for word in words:
+        total = (total ^ word) * 0xD6E8FEB86659FD93 % 2**64
+        total ^= total >> 32
+    return total - 2**64 if total >= 2**63 else total
+
+
+def stores_of_others_load_no_library():
+    shutil.copy(LIBRARY, "loud1.so")
+    with open("b.toml", "w") as file:
+        file.write('operation = "manifold_tangle"\noptions = { system = "standard" }\n'
+                   "grid = { parameters.K = [1.2, 1.3] }\n")
+    run("batch", "run", "b.toml", "--quiet")
+    commands = [["batch", "export", "b.results", "-o", "b.csv"], ["batch", "page", "b.results", "-o", "b.html"],
+                ["batch", "picture", "b.results", "--data", "b.json", "--operation", "manifold_tangle"],
+                ["batch", "status", "b.results"], ["batch", "merge", "c.results", "b.results"],
+                ["batch", "run", "b.toml", "--quiet"]]
+    for command in commands:
+        run(*command)
+    os.remove("c.results")
+    store = sqlite3.connect("b.results")
+    (body, total), = store.execute("SELECT body, sum FROM plan")
+    assert total == checksum(body), "the test knows the checksum"
+    forged = body.replace(b"standard", b"loud1.so")
+    assert forged != body
+    store.execute("UPDATE plan SET body = ?, sum = ?", (forged, checksum(forged)))
+    store.execute("UPDATE groups SET options = replace(options, 'standard', 'loud1.so')")
+    store.commit()
+    store.close()
+    for command in commands:
+        answer = subprocess.run([PROGRAM, *command], capture_output=True, text=True)
+        assert answer.returncode in (0, 1, 2), (command, answer.stderr)  # it ends by itself
+        assert not loaded(), command
+
+
 def pages_have_the_same_bytes_for_any_threads():
     for threads in (1, 3):
         run("tangle", "manifolds.dat", "--html", f"t{threads}.html", f"--threads={threads}")
@@ -102,7 +192,8 @@ def main():
             if name.endswith(".dat"):
                 shutil.copy(os.path.join(EXAMPLES, name), folder)
         os.chdir(folder)
-        for check in (pages_have_the_same_bytes_for_any_threads, results_are_repeated, what_cannot_be_shown_is_refused):
+        for check in (pages_have_the_same_bytes_for_any_threads, results_are_repeated, results_of_others_load_no_library,
+                      stores_of_others_load_no_library, what_cannot_be_shown_is_refused):
             check()
             print(check.__name__, "passed")
         os.chdir("/")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Pages of lober in a real browser: page_test.py LOBER. Ends with 77, and says why, where there is no browser."""
+"""Pages of lober in a real browser: page_test.py LOBER BROWSER. Ends with 77, and says why, where that browser is not there."""
 
 import base64
 import csv
@@ -86,7 +86,7 @@ def zooms_into_a_pip(browser, folder):
     page = os.path.join(folder, "ovp.html")
     lober(*OVP, "--html", page)
     browser.open(page)
-    x, y = browser.run("(({ dots }) => [dots.x[0], dots.y[0]])(lober.scene.layers.find((one) => one.name === 'pips'))")
+    x, y = browser.run("(({ things }) => [things.x[0], things.y[0]])(lober.scene.layers.find((one) => one.name === 'pips'))")
     for depth in (1, 1e4, 1e8, 1e12):
         browser.open(page, f"#{x!r},{y!r},{depth!r},")
         browser.run(ONLY_LINES)
@@ -157,7 +157,7 @@ def agrees_with_pictures_of_the_program(browser, folder):
         return
     lober(*OVP, "--html", page)
     browser.open(page)
-    x, y = browser.run("(({ dots }) => [dots.x[0], dots.y[0]])(lober.scene.layers.find((one) => one.name === 'pips'))")
+    x, y = browser.run("(({ things }) => [things.x[0], things.y[0]])(lober.scene.layers.find((one) => one.name === 'pips'))")
     for depth in (1, 1e4, 1e8, 1e12):
         browser.open(page, f"#{x!r},{y!r},{depth!r},")
         browser.run("for (const layer of lober.scene.layers) layer.width = 3;" + ONLY_LINES)
@@ -174,7 +174,7 @@ def agrees_with_pictures_of_the_program(browser, folder):
         with open(png, "rb") as file:
             data = "data:image/png;base64," + base64.b64encode(file.read()).decode()
         # Pips, and the saddles, where curves begin.
-        marks = browser.run("lober.scene.layers.flatMap(({ kind, dots, curves }) => kind === 'dots' ? [dots] : kind === 'lines' ?"
+        marks = browser.run("lober.scene.layers.flatMap(({ kind, things, curves }) => kind === 'dots' ? [things] : kind === 'lines' ?"
                             "[{ x: [curves[0].curve.x[0]], y: [curves[0].curve.y[0]] }] : [])"
                             ".flatMap(({ x, y }) => Array.from(x, (_, k) => [lober.view.px(x[k]), lober.view.py(y[k])]))")
         lines = [colour for colour, kind in browser.run("lober.scene.layers.map((one) => [one.colour, one.kind])") if kind == "lines"]
@@ -278,6 +278,21 @@ def batches(browser, folder):
     colours = browser.run("(() => { const c = document.getElementById('map'), d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;"
                           "const all = new Set(); for (let k = 0; k < d.length; k += 4) all.add(`${d[k]} ${d[k + 1]} ${d[k + 2]}`); return all.size; })()")
     assert colours >= 4, colours
+    browser.run("(() => { const f = document.getElementById('filter'); f.value = ''; f.dispatchEvent(new Event('input')); })()")
+    heads = browser.run("[...document.querySelectorAll('#heads button')].map((one) => one.textContent)")
+    assert heads[:4] == ["job \u25b4", "status", "eps", "gamma"] and "lobe_area12" in heads, heads
+    browser.run("document.querySelectorAll('#heads button')[3].click()")
+    assert browser.run("[...document.querySelectorAll('#body tr')].map((one) => one.children[3].textContent)") == ["0.5", "0.5", "0.4", "0.4"]
+    browser.run("(() => { const k = document.getElementById('kind'); k.value = 'lobes'; k.dispatchEvent(new Event('change')); })()")
+    browser.run("document.querySelector('[data-thing=\"2\"]').closest('tr').click()")
+    assert browser.run("document.getElementById('of').textContent").startswith("job 2:")
+    with open(os.path.join(folder, "b.csv"), "w", encoding="utf-8") as file:
+        file.write(lober("batch", "export", os.path.join(folder, "b.results")))
+    with open(os.path.join(folder, "b.csv"), encoding="utf-8") as file:
+        exported = list(csv.DictReader(file))
+    for name in ("crossings", "lobe_area12"):
+        shown = browser.run(f"lober.columns.find((one) => one.name === '{name}')?.value(3) ?? 'not seen'")
+        assert float(exported[3][name]) == shown, (name, shown)
 
 
 if __name__ == "__main__":

@@ -6,10 +6,13 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 
-from browser import Browser, find_browser
+from chromium import Chromium
+from firefox import Firefox
 
 PROGRAM = sys.argv[1]
+EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../examples")
 OVP = ["tangle", "ovp", "--param", "gamma=0.5", "--param", "eps=0.1"]
 
 
@@ -41,14 +44,17 @@ def clean(browser):
 
 
 def run(checks):
-    """Runs checks in one browser; the exit status, 77 where there is none."""
-    path = find_browser()
+    """Runs checks in the browser that the last argument names, chromium or firefox; the exit status, 77 where it is not there."""
+    kind = {"chromium": Chromium, "firefox": Firefox}[sys.argv[-1]]
+    path = kind.find()
     if path is None:
-        print("skipped: no chromium is installed (apt-get install chromium)")
+        # In the form that scripts/run-tests.sh looks for.
+        print(f"pages in {sys.argv[-1]}: Skipped\nno {sys.argv[-1]} is installed, which Debian's package {kind.PACKAGE} has")
         return 77
-    with tempfile.TemporaryDirectory() as folder, Browser(path) as browser:
+    with tempfile.TemporaryDirectory() as folder, kind(path) as browser:
         for check in checks:
+            begin = time.monotonic()
             check(browser, folder)
             clean(browser)
-            print(check.__name__, "passed", flush=True)
+            print(f"{check.__name__} passed after {time.monotonic() - begin:.1f} s", flush=True)
     return 0

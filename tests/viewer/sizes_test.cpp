@@ -112,18 +112,23 @@ Sizes printed(const char* name, const Coordinates& points, double step) {
 TEST(PageSizes, OfCurves) {
   if (!detail::deflated("")) GTEST_SKIP() << "zlib is not there, so nothing is deflated";
   std::printf(
-      "bytes a point                        points  heads   first  second   bits  deflated   text  differences\n");
+      "bytes a point, `text` as written     points  heads   first  second   bits  deflated   text  differences\n");
   // The curve is 6 units large.
   for (const auto& [name, side] : {std::pair{"U of the vortex pair", "unstable"}, {"S of the vortex pair", "stable"}}) {
     const Coordinates curve = grown(side, 1e-9, 25);
-    EXPECT_LT(printed((std::string(name) + ", exact").c_str(), curve, 0).deflated, 4.0);
+    const Sizes exact = printed((std::string(name) + ", exact").c_str(), curve, 0);
+    EXPECT_LT(exact.deflated, 4.0);
+    EXPECT_LT(exact.text, 5.2);  // as written
     const Sizes rounded = printed((std::string(name) + ", rounded").c_str(), curve, 0x1p-48);
     EXPECT_LT(rounded.deflated, 2.75);
+    EXPECT_LT(rounded.text, 3.6);
     EXPECT_LT(rounded.deflated, 0.75 * rounded.differences);
   }
   EXPECT_LT(printed("circle with noise 1e-6, exact", noisy(200'000, 1e-6), 0).deflated, 9.5);
   EXPECT_LT(printed("circle with noise 1e-6, rounded", noisy(200'000, 1e-6), 0x1p-49).deflated, 8.5);
-  EXPECT_LT(printed("noise alone, exact", noisy(100'000, 1), 0).deflated, 16.5);
+  const Sizes noise = printed("noise alone, exact", noisy(100'000, 1), 0);
+  EXPECT_LT(noise.deflated, 16.5);
+  EXPECT_LT(noise.text, 22.0);
 }
 
 }  // namespace

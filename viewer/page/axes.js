@@ -4,7 +4,7 @@ const SPACING = 110; // pixels between labels, about
 
 // Ticks of one axis: { at: offset from the centre, text }, and `origin`, the number that they are counted from, if any.
 export function ticks(centre, offset, span, pixels) {
-  const rough = span * SPACING / pixels;
+  const rough = span / pixels * SPACING;
   const decade = Math.floor(Math.log10(rough)), power = 10 ** decade;
   const step = [1, 2, 5, 10].find((one) => one * power >= rough) * power;
   const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));

@@ -16,9 +16,9 @@ export function* drawings(scene, view, { iterate, selected }, newPath, step) {
     else if (layer.kind === "dots") yield* dots(layer, view, frame, iterate, newPath);
     else yield* areas(layer, view, frame, iterate, newPath, step);
   }
-  if (selected && selected.layer.areas) {
+  if (selected?.layer.things.draw) {
     const path = newPath();
-    selected.layer.areas.draw(selected.index, view, frame, new RingPen(path, view.width, view.height, step));
+    selected.layer.things.draw(selected.index, view, frame, new RingPen(path, view.width, view.height, step));
     yield { path, layer: selected.layer, selected: true };
   }
 }
@@ -61,10 +61,10 @@ function* lines(layer, view, frame, iterate, newPath, step) {
 
 function* areas(layer, view, frame, iterate, newPath, step) {
   const stroke = layer.kind === "outlines";
-  const { boxes } = layer.areas;
+  const { things: all } = layer, { boxes } = all;
   let path = newPath(), drawn = 0;
   const tiny = Math.max(1, step), cells = new Set(); // squares of this size, and those with areas smaller than that
-  for (let k = 0; k < layer.areas.size; ++k) {
+  for (let k = 0; k < all.size; ++k) {
     if (apart(boxes, 4 * k, frame) || !layerShows(layer, k, iterate)) continue;
     if (smaller(boxes, 4 * k, tiny / view.scale)) {
       const x = Math.floor(view.px(boxes[4 * k]) / tiny), y = Math.floor(view.py(boxes[4 * k + 3]) / tiny), cell = x * 65536 + y;
@@ -72,7 +72,7 @@ function* areas(layer, view, frame, iterate, newPath, step) {
       cells.add(cell);
       path.rect(x * tiny, y * tiny, tiny, tiny);
     } else {
-      layer.areas.draw(k, view, frame, new RingPen(path, view.width, view.height, step));
+      all.draw(k, view, frame, new RingPen(path, view.width, view.height, step));
     }
     if (++drawn % 256 === 0) {
       yield { path, layer, stroke };
@@ -83,7 +83,7 @@ function* areas(layer, view, frame, iterate, newPath, step) {
 }
 
 function* dots(layer, view, frame, iterate, newPath) {
-  const { dots } = layer, cells = new Set(), path = newPath();
+  const { things: dots } = layer, cells = new Set(), path = newPath();
   const small = DOT_CELL / 2 / view.scale;
   const add = (k) => {
     if (!layerShows(layer, k, iterate)) return;

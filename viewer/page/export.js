@@ -2,7 +2,7 @@
 import { axes } from "./axes.js";
 import { OPACITY, drawings } from "./draw.js";
 import { TextPath } from "./pen.js";
-import { boxOfThing, layerShows, nameOf, sizeOf } from "./scene.js";
+import { layerShows, nameOf } from "./scene.js";
 
 const SVG_STEP = 0.25; // pixels between points
 
@@ -48,7 +48,7 @@ export function csvOf(scene, view, { iterate }) {
   const box = view.box(), rows = [["layer", "name", "point", "x", "y", ...names].map(field).join(",")];
   for (const layer of scene.layers) {
     if (!layer.shown) continue;
-    for (let k = 0; k < sizeOf(layer); ++k) {
+    for (let k = 0; k < layer.things.size; ++k) {
       if (!layerShows(layer, k, iterate)) continue;
       if (layer.kind === "lines") {
         const one = layer.curves[k], { x, y } = one.curve;
@@ -58,7 +58,7 @@ export function csvOf(scene, view, { iterate }) {
         }
         continue;
       }
-      const [minX, minY, maxX, maxY] = boxOfThing(layer, k);
+      const [minX, minY, maxX, maxY] = layer.things.box(k);
       if (maxX < box[0] || minX > box[2] || maxY < box[1] || minY > box[3]) continue;
       const values = Object.create(null);
       for (const column of layer.columns) {

@@ -1,9 +1,9 @@
 // Heat maps: a value over two keys, or over the numbers of two lobes.
+import { byId } from "./text.js";
 
-// Colours from few to much, which stay apart in grey and for any colour vision (viridis, by five of its colours).
-const STOPS = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];
+const STOPS = JSON.parse(byId("heat").textContent); // those of all pictures (viewer/palette.hpp)
 
-export function heatColour(part) {
+function heatColour(part) {
   const at = Math.min(Math.max(part, 0), 1) * (STOPS.length - 1), k = Math.min(Math.floor(at), STOPS.length - 2);
   return `rgb(${STOPS[k].map((from, c) => Math.round(from + (STOPS[k + 1][c] - from) * (at - k))).join(" ")})`;
 }
@@ -30,9 +30,9 @@ export function gridOf(cells) {
 
 const LEFT = 52, BOTTOM = 20; // pixels of the labels
 
-// Draws the grid, row 0 at the bottom, and what `textX` and `textY` call as many steps as there is room for; returns the
+// Draws the grid, row 0 at the bottom, and the `text` of as many steps as there is room for; returns the
 // function that gives the cell at a pixel.
-export function paintGrid(context, grid, canvas, style, textX, textY) {
+export function paintGrid(context, grid, canvas, style, text) {
   const { columns, rows, low, high } = grid, { clientWidth: width, clientHeight: height } = canvas;
   context.fillStyle = style.getPropertyValue("--panel").trim();
   context.fillRect(0, 0, width, height);
@@ -48,14 +48,14 @@ export function paintGrid(context, grid, canvas, style, textX, textY) {
   }
   context.fillStyle = style.getPropertyValue("--ink").trim();
   context.font = "12px system-ui, sans-serif";
-  const label = (list, room, text, place) => {
+  const label = (list, room, place) => {
     const every = Math.ceil(list.length / Math.max(1, Math.floor(room)));
     for (let k = 0; k < list.length; k += every) context.fillText(text(list[k]).slice(-8), ...place(k));
   };
   context.textAlign = "center";
-  label(columns, (width - LEFT) / 60, textX, (c) => [left(c + 0.5), height - 5]);
+  label(columns, (width - LEFT) / 66, (c) => [left(c + 0.5), height - 5]);
   context.textAlign = "right";
-  label(rows, (height - BOTTOM) / 20, textY, (r) => [LEFT - 6, top(r) + up / 2 + 4]);
+  label(rows, (height - BOTTOM) / 20, (r) => [LEFT - 6, top(r) + up / 2 + 4]);
   return (px, py) => {
     if (px < LEFT || py > height - BOTTOM) return undefined;
     return grid.at(Math.floor((px - LEFT) / across), Math.floor((height - BOTTOM - py) / up));

@@ -37,7 +37,7 @@ export function hits(scene, view, iterate, px, py) {
   for (const layer of scene.layers) {
     if (!layer.shown) continue;
     if (layer.kind === "dots") {
-      const found = nearest(layer.dots, place, false);
+      const found = nearest(layer.things, place, false);
       if (found && layerShows(layer, found.point, iterate)) dots.push({ layer, index: found.point, ...found });
     } else if (layer.kind === "lines") {
       layer.curves.forEach((one, index) => {
@@ -47,9 +47,9 @@ export function hits(scene, view, iterate, px, py) {
       });
     } else if (layer.kind === "areas") {
       const box = [x - slack, y - slack, x + slack, y + slack];
-      for (let k = 0; k < layer.areas.size; ++k) {
-        if (apart(layer.areas.boxes, 4 * k, box) || !layerShows(layer, k, iterate)) continue;
-        if (layer.areas.winding(k, place) !== 0) areas.push({ layer, index: k });
+      for (let k = 0; k < layer.things.size; ++k) {
+        if (apart(layer.things.boxes, 4 * k, box) || !layerShows(layer, k, iterate)) continue;
+        if (layer.things.winding(k, place) !== 0) areas.push({ layer, index: k });
       }
     }
   }

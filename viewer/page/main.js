@@ -6,9 +6,10 @@ import { listen } from "./gestures.js";
 import { hits } from "./hit.js";
 import { Measure } from "./measure.js";
 import { describe, fillAbout, fillIterates, fillLayers, fillTableChoice } from "./panel.js";
-import { boxOfThing, loadScene } from "./scene.js";
+import { loadScene } from "./scene.js";
 import { Table } from "./table.js";
 import { byId, download } from "./text.js";
+import { apart } from "./tree.js";
 import { View } from "./view.js";
 
 const SLOW = 40; // milliseconds of a frame after which moving pictures are drawn with coarser steps
@@ -26,10 +27,14 @@ class Page {
     this.step = 0.5; // pixels between points while the picture moves
     this.scriptTime = 0; // milliseconds
     this.table = new Table({
-      choose: (layer, index) => this.select({ layer, index }),
-      zoom: (layer, index) => this.look(layer, index),
-      inView: () => this.view.box(),
+      choose: (index) => this.select({ layer: this.table.source, index }),
+      zoom: (index) => this.look(this.table.source, index),
+      accepts: () => {
+        const { source } = this.table, box = byId("in-view").checked ? this.view.box() : null;
+        return (k) => !box || !apart(source.things.box(k), 0, box);
+      },
     });
+    byId("in-view").addEventListener("change", () => this.table.update());
     fillLayers(scene, () => this.redraw());
     fillAbout(scene);
     this.tableOf = fillTableChoice(scene, this.table);
@@ -157,7 +162,7 @@ class Page {
     this.canvas.focus({ preventScroll: true });
     if (this.measure.on) {
       const [exact] = hits(this.scene, this.view, this.state.iterate, px, py);
-      const source = exact?.layer.dots ?? exact?.layer.curves?.[exact.index].curve;
+      const source = exact?.layer.curves?.[exact.index].curve ?? (exact?.layer.kind === "dots" ? exact.layer.things : null);
       this.measure.add(...(source ? [source.x[exact.point], source.y[exact.point]] : this.view.at(px, py)));
       this.say(this.measure.text);
       return this.redraw();
@@ -177,13 +182,13 @@ class Page {
   select(thing) {
     this.state.selected = thing;
     if (thing) this.tableOf(thing.layer);
-    this.table.mark(thing);
+    this.table.mark(thing && thing.layer === this.table.source ? thing.index : null);
     this.say(thing ? describe(thing) : "");
     this.redraw();
   }
   look(layer, index) {
     this.select({ layer, index, point: 0 });
-    const box = boxOfThing(layer, index);
+    const box = layer.things.box(index);
     this.moved(() => {
       this.view.show(box);
       if (layer.kind === "dots") this.view.zoom(Math.max(1, 1e4 / this.view.depth));

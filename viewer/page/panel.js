@@ -1,10 +1,10 @@
 // The panel beside the picture: layers, the table, iterates, and what is known about the page.
-import { nameOf, sizeOf } from "./scene.js";
-import { byId, element, rounded, withBar } from "./text.js";
+import { nameOf } from "./scene.js";
+import { byId, element, rounded, upright, withBar } from "./text.js";
 
-// A name within a line: so short that the rest is seen, and without characters that would turn the rest round.
+// A name within a line: so short that the rest is seen.
 function shortName(name) {
-  const plain = name.replace(/[\u202a-\u202e\u2066-\u2069]/g, "");
+  const plain = upright(name);
   return plain.length > 60 ? `${plain.slice(0, 59)}\u2026` : plain;
 }
 
@@ -17,7 +17,7 @@ export function describe({ layer, index, point }) {
   const numbers = layer.columns
     .filter(({ values }) => Number.isFinite(values[index]))
     .map(({ name, values, bars }) => `${name} ${bars ? withBar(values[index], bars[index]) : rounded(values[index], 10)}`);
-  const at = layer.kind === "dots" ? [`at (${layer.dots.x[index]}, ${layer.dots.y[index]})`] : [];
+  const at = layer.kind === "dots" ? [`at (${layer.things.x[index]}, ${layer.things.y[index]})`] : [];
   return `${shortName(nameOf(layer, index))}: ${[...numbers, ...at].join(", ")}`;
 }
 
@@ -37,7 +37,7 @@ export function fillLayers(scene, changed) {
     layer.swatch = swatch;
     const size = layer.kind === "lines"
       ? pointsText(layer.curves.reduce((sum, one) => sum + one.n, 0))
-      : sizeOf(layer).toLocaleString("en");
+      : layer.things.size.toLocaleString("en");
     const texts = [["name", layer.name], ["size", size]].map(([className, text]) => element("span", { className }, text));
     return element("li", {}, element("label", {}, box, swatch, ...texts));
   }));
@@ -49,26 +49,33 @@ export function fillAbout(scene) {
     ? "Points near crossings and of short curves are exact; exact ones of all curves would take more than 12 MB, so " +
       "others are rounded to 2^-50 of the size of their curve."
     : "All points are exact, to the last bit.");
-  byId("notes").replaceChildren(...notes.map((note) => element("li", {}, note)));
+  byId("notes").replaceChildren(...notes.map((note) => element("li", {}, upright(note))));
 }
 
-// The choice of the layer of the table; layers of lines have no table.
+function columnsOf(layer) {
+  const name = { name: "name", value: (k) => nameOf(layer, k), text: (k) => nameOf(layer, k), rank: (k) => k };
+  return [name, ...layer.columns.map(({ name, values, bars }) => ({
+    name,
+    value: (k) => values[k],
+    text: (k) => (bars ? withBar(values[k], bars[k]) : rounded(values[k], 8)),
+    rank: (k) => (name === "area" ? Math.abs(values[k]) : values[k]),
+  }))];
+}
+
+// The choice of the layer of the table; layers of lines have no table. Gives the function that shows a layer.
 export function fillTableChoice(scene, table) {
   const layers = scene.layers.filter((layer) => layer.kind !== "lines" && layer.n > 0);
   const choice = byId("table-layer");
-  choice.replaceChildren(...layers.map((layer, k) => element("option", { value: String(k) }, layer.name)));
-  choice.addEventListener("change", () => table.show(layers[Number(choice.value)]));
-  byId("table-part").hidden = layers.length === 0;
-  const first = Math.max(0, layers.findIndex((layer) => layer.kind === "areas"));
-  if (layers.length === 0) return () => {};
-  choice.value = String(first);
-  table.show(layers[first]);
-  return (layer) => {
-    const k = layers.indexOf(layer);
-    if (k < 0 || table.layer === layer) return;
-    choice.value = String(k);
-    table.show(layer);
+  const show = (layer) => {
+    if (!layers.includes(layer) || table.source === layer) return;
+    choice.value = String(layers.indexOf(layer));
+    table.show(layer, layer.n, columnsOf(layer));
   };
+  choice.replaceChildren(...layers.map((layer, k) => element("option", { value: String(k) }, layer.name)));
+  choice.addEventListener("change", () => show(layers[Number(choice.value)]));
+  byId("table-part").hidden = layers.length === 0;
+  show(layers.find((layer) => layer.kind === "areas") ?? layers[0]);
+  return show;
 }
 
 // Iterates one after the other; `show(n)` with null for all of them.

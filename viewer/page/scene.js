@@ -1,6 +1,6 @@
 // The scene of the page: its layers, decoded.
 import { Curve, emptyBox, growByBox } from "./tree.js";
-import { Areas, Dots } from "./shapes.js";
+import { Areas, Dots, Lines } from "./shapes.js";
 import { PART, bytesOf, decodeSeries } from "./series.js";
 import { byId } from "./text.js";
 
@@ -33,13 +33,17 @@ export async function loadScene() {
       column.values = await numbers(column);
       if (column.bar) column.bars = await numbers(column.bar);
     }
-    if (layer.kind === "dots") {
-      layer.dots = new Dots(...await points(layer.points, false));
-    } else if (layer.kind !== "lines") {
+    if (layer.kind === "lines") {
+      layer.things = new Lines(layer.curves);
+      layer.names = layer.curves.map(({ name }) => name);
+    } else if (layer.kind === "dots") {
+      layer.things = new Dots(...await points(layer.points, false));
+    } else {
       const parts = {};
       for (const name of ["rings", "runs", "curve", "first", "last"]) parts[name] = await numbers(layer[name]);
-      layer.areas = new Areas(curves, parts);
+      layer.things = new Areas(curves, parts);
     }
+    if (layer.iterate >= 0) layer.iterates = layer.columns[layer.iterate].values;
   }
   scene.box = boxOf(scene);
   scene.iterates = iteratesOf(scene);
@@ -50,38 +54,22 @@ export async function loadScene() {
 function boxOf(scene) {
   const box = emptyBox();
   for (const layer of scene.layers) {
-    for (let k = 0; k < sizeOf(layer); ++k) growByBox(box, boxOfThing(layer, k));
+    for (let k = 0; k < layer.things.size; ++k) growByBox(box, layer.things.box(k));
   }
   return box;
 }
 
 // All numbers of iterates that occur, ascending.
 function iteratesOf(scene) {
-  const all = new Set();
-  for (const layer of scene.layers) {
-    for (const n of layer.iterates ?? []) all.add(n);
-    if (layer.iterate >= 0) for (const n of layer.columns[layer.iterate].values) if (Number.isFinite(n)) all.add(n);
-  }
-  return [...all].sort((a, b) => a - b);
-}
-
-export function sizeOf(layer) {
-  return layer.kind === "lines" ? layer.curves.length : layer.n;
+  const all = scene.layers.flatMap(({ iterates }) => [...iterates ?? []].filter(Number.isFinite));
+  return [...new Set(all)].sort((a, b) => a - b);
 }
 
 export function nameOf(layer, index) {
-  if (layer.kind === "lines") return layer.curves[index].name;
   return layer.names[index] ?? `${layer.one} ${index}`;
 }
 
 // Whether a thing belongs to the iterate that is shown; null: all are.
 export function layerShows(layer, index, iterate) {
-  if (iterate === null) return true;
-  if (layer.iterates) return layer.iterates[index] === iterate;
-  return !(layer.iterate >= 0) || layer.columns[layer.iterate].values[index] === iterate;
-}
-
-export function boxOfThing(layer, index) {
-  if (layer.kind === "lines") return layer.curves[index].curve.box();
-  return layer.kind === "dots" ? layer.dots.box(index) : layer.areas.box(index);
+  return iterate === null || !layer.iterates || layer.iterates[index] === iterate;
 }

@@ -1,4 +1,4 @@
-// Areas, whose boundaries are runs of points of curves, and dots.
+// The things of layers, each with a size and boxes: areas, whose boundaries are runs of points of curves, dots, and lines.
 import { Curve, apart, emptyBox, growByBox, smaller } from "./tree.js";
 
 // Areas of a layer: area k has the rings ringBegin[k] to ringBegin[k + 1], ring r the runs runBegin[r] to runBegin[r + 1],
@@ -88,8 +88,21 @@ function windingOf(curve, first, last, place) {
 
 // Dots of a layer, in the order of a curve.
 export class Dots extends Curve {
+  get size() {
+    return this.points;
+  }
   box(dot) {
     return [this.x[dot], this.y[dot], this.x[dot], this.y[dot]];
+  }
+}
+
+export class Lines {
+  constructor(curves) {
+    this.curves = curves;
+    this.size = curves.length;
+  }
+  box(line) {
+    return this.curves[line].curve.box();
   }
 }
 

@@ -1,124 +1,115 @@
-// The table of a layer's areas or dots: sorted, filtered, and only as many rows in the page as are seen.
-import { fillHeads, filterOf } from "./columns.js";
-import { boxOfThing, nameOf } from "./scene.js";
-import { byId, element, rounded, withBar } from "./text.js";
-import { apart } from "./tree.js";
+// A table that is sorted and filtered, and only as many of whose rows are in the page as are seen.
+import { byId, element } from "./text.js";
 
 const ROW = 28; // pixels, as in page.css
+const SIGNS = {
+  "<": (a, b) => a < b, "<=": (a, b) => a <= b, ">": (a, b) => a > b, ">=": (a, b) => a >= b, "=": (a, b) => a === b,
+};
 
 export class Table {
-  // `choose(layer, index)` is called for a click on a row, `zoom(layer, index)` for a double one.
-  constructor({ choose, zoom, inView }) {
-    Object.assign(this, { choose, zoom, inView });
-    this.layer = null;
-    this.rows = [];
-    this.sort = { column: 0, down: false };
+  // `choose(k)` is called for a click on row k, `zoom(k)` for a double one; `accepts()` gives what says whether row k is
+  // wanted at all.
+  constructor({ choose, zoom = choose, accepts = () => () => true }) {
+    Object.assign(this, { choose, zoom, accepts, source: null, chosen: null, rows: [] });
     this.scroller = byId("rows");
     this.scroller.addEventListener("scroll", () => this.fill());
     byId("filter").addEventListener("input", () => this.update());
-    byId("in-view").addEventListener("change", () => this.update());
   }
 
-  show(layer) {
-    this.layer = layer;
-    this.sort = { column: 0, down: false };
-    this.head();
+  // Shows `n` rows of a source. Columns are { name, value(k), text(k) }, the first one being the rows' names; values are
+  // numbers, texts or undefined, and are sorted by `rank(k)` where that is given.
+  show(source, n, columns) {
+    Object.assign(this, { source, n, columns, chosen: null });
+    this.sortBy(0, false);
+  }
+  sortBy(column, down) {
+    this.sort = { column, down };
+    byId("heads").replaceChildren(...this.columns.map(({ name }, k) => this.headOf(name, k)));
     this.update();
   }
-
-  // Names come in the order of the layer, and numbers begin with the largest.
-  head() {
-    fillHeads(["name", ...this.layer.columns.map(({ name }) => name)], this.sort, (column) => {
-      this.sort = { column, down: this.sort.column === column ? !this.sort.down : column > 0 };
-      this.head();
-      this.update();
+  // Numbers begin with the largest.
+  headOf(name, k) {
+    const { column, down } = this.sort, sorted = column === k;
+    const button = element("button", { type: "button" }, name + (sorted ? (down ? " \u25be" : " \u25b4") : ""));
+    button.addEventListener("click", () => {
+      const isText = k === 0 || this.rows.some((row) => typeof this.columns[k].value(row) === "string");
+      this.sortBy(k, sorted ? !down : !isText);
+      byId("heads").children[k].firstChild.focus();
     });
+    return element("th", { scope: "col", "aria-sort": sorted ? (down ? "descending" : "ascending") : "none" }, button);
   }
 
-  accepts() {
-    const { layer } = this, box = byId("in-view").checked ? this.inView() : null;
-    const matches = filterOf(layer.columns.map(({ name }) => name), (k, column) => layer.columns[column].values[k],
-      (k, text) => nameOf(layer, k).toLowerCase().includes(text));
-    return (k) => matches(k) && (!box || !apart(boxOfThing(layer, k), 0, box));
+  // Terms of the filter: "area>0.1" compares a column, anything else is part of a text of the row.
+  filter() {
+    const { columns } = this;
+    const tests = byId("filter").value.trim().split(/\s+/).filter(Boolean).map((term) => {
+      const [, name, sign, number] = /^(.+?)(<=|>=|<|>|=)([-+.\deE]+)$/.exec(term) ?? [];
+      const column = columns.find((one) => one.name.replaceAll(" ", "") === name), part = term.toLowerCase();
+      if (column && !Number.isNaN(Number(number))) return (k) => SIGNS[sign](column.value(k), Number(number));
+      return (k) => columns.some(({ value }) => typeof value(k) === "string" && value(k).toLowerCase().includes(part));
+    });
+    return (k) => tests.every((test) => test(k));
   }
-
   update() {
-    const { layer } = this;
-    if (!layer) return;
-    const accepts = this.accepts(), { column, down } = this.sort, rows = [];
-    for (let k = 0; k < layer.n; ++k) if (accepts(k)) rows.push(k);
-    if (column > 0) {
-      const { name, values } = layer.columns[column - 1], sign = down ? -1 : 1;
-      const size = name === "area" ? Math.abs : (value) => value;
-      rows.sort((a, b) => {
-        const unknown = Number.isNaN(values[a]) - Number.isNaN(values[b]);
-        return unknown || sign * (size(values[a]) - size(values[b])) || a - b;
-      });
-    } else if (down) {
-      rows.reverse();
-    }
+    if (!this.source) return;
+    const accepts = this.accepts(), matches = this.filter(), rows = [];
+    for (let k = 0; k < this.n; ++k) if (accepts(k) && matches(k)) rows.push(k);
+    const { value, rank = value } = this.columns[this.sort.column], sign = this.sort.down ? -1 : 1;
+    const ranks = new Map(rows.map((k) => [k, rank(k)]));
+    rows.sort((a, b) => {
+      const [u, v] = [ranks.get(a), ranks.get(b)], unknown = (u !== u || u === undefined) - (v !== v || v === undefined);
+      return unknown || sign * (u < v ? -1 : u > v ? 1 : 0) || a - b;
+    });
     this.rows = rows;
-    byId("count").textContent = rows.length === layer.n ? `${layer.n}` : `${rows.length} of ${layer.n}`;
+    const part = rows.length === this.n ? "" : `${rows.length} of `;
+    byId("count").textContent = `${part}${this.n} ${this.n === 1 ? "row" : "rows"}`;
     this.fill();
   }
 
   fill() {
-    const { layer, rows, scroller } = this;
-    if (!layer) return;
+    const { rows, scroller } = this;
+    if (!this.source) return;
     const first = Math.max(0, Math.floor(scroller.scrollTop / ROW) - 10);
     const last = Math.min(rows.length, first + Math.ceil(Math.max(scroller.clientHeight, 300) / ROW) + 20);
-    const space = (height) => {
-      const cell = element("td", { colSpan: layer.columns.length + 1 });
-      cell.style.height = `${height}px`;
-      cell.style.padding = "0";
-      return element("tr", { "aria-hidden": "true" }, cell);
+    const space = (count) => {
+      const row = element("tr", { "aria-hidden": "true" });
+      row.style.height = `${count * ROW}px`;
+      return count > 0 ? [row] : [];
     };
-    const body = [space(first * ROW)];
-    for (let r = first; r < last; ++r) body.push(this.row(rows[r]));
-    body.push(space((rows.length - last) * ROW));
     const focused = document.activeElement?.dataset.thing;
-    byId("body").replaceChildren(...body);
+    const body = rows.slice(first, last).map((k) => this.row(k));
+    byId("body").replaceChildren(...space(first), ...body, ...space(rows.length - Math.max(first, last)));
     if (focused !== undefined) this.focus(focused);
   }
-
   // Moves the focus to the row of a thing, if it is in the page.
   focus(k) {
     this.scroller.querySelector(`[data-thing="${k}"]`)?.focus({ preventScroll: true });
   }
-
   row(k) {
-    const { layer } = this;
-    const name = element("button", { type: "button", title: "Choose; twice: look at it" }, nameOf(layer, k));
-    name.dataset.thing = k;
-    name.addEventListener("click", () => this.choose(layer, k));
-    const textOf = ({ values, bars }) => (bars ? withBar(values[k], bars[k]) : rounded(values[k], 8));
-    const cells = layer.columns.map((column) => element("td", {}, textOf(column)));
-    const row = element("tr", {}, element("th", { scope: "row" }, name), ...cells);
-    if (this.chosen && this.chosen.layer === layer && this.chosen.index === k) row.className = "chosen";
-    row.addEventListener("dblclick", () => this.zoom(layer, k));
-    row.addEventListener("click", (event) => {
-      if (event.target !== name) this.choose(layer, k);
-    });
-    name.addEventListener("keydown", (event) => {
+    const [name, ...cells] = this.columns.map(({ text }) => text(k));
+    const button = element("button", { type: "button", title: name }, name);
+    button.dataset.thing = k;
+    button.addEventListener("keydown", (event) => {
       const other = this.rows[this.rows.indexOf(k) + { ArrowDown: 1, ArrowUp: -1 }[event.key]];
       if (event.key !== "Enter" && other === undefined) return;
       event.preventDefault();
-      if (other === undefined) return this.zoom(layer, k);
-      this.choose(layer, other);
+      if (other === undefined) return this.zoom(k);
+      this.choose(other);
       this.focus(other);
     });
+    const row = element("tr", { className: k === this.chosen ? "chosen" : "" },
+      element("th", { scope: "row" }, button), ...cells.map((text) => element("td", { title: text }, text)));
+    row.addEventListener("click", () => this.choose(k));
+    row.addEventListener("dblclick", () => this.zoom(k));
     return row;
   }
 
-  // Marks a row, and scrolls to it.
-  mark(chosen) {
-    this.chosen = chosen;
-    const at = chosen && chosen.layer === this.layer ? this.rows.indexOf(chosen.index) : -1;
-    if (at >= 0) {
-      const { scrollTop, clientHeight } = this.scroller, top = at * ROW;
-      const hidden = top < scrollTop || top > scrollTop + clientHeight - 2 * ROW;
-      if (hidden) this.scroller.scrollTop = Math.max(0, top - clientHeight / 2);
-    }
+  // Marks a row, or none for null, and scrolls to it.
+  mark(k) {
+    this.chosen = k;
+    const { scrollTop, clientHeight } = this.scroller, top = this.rows.indexOf(k) * ROW;
+    const hidden = top < scrollTop || top > scrollTop + clientHeight - 2 * ROW;
+    if (top >= 0 && hidden) this.scroller.scrollTop = Math.max(0, top - clientHeight / 2);
     this.fill();
   }
 }

@@ -17,6 +17,11 @@ export function withBar(value, bar) {
   return `${rounded(value, digits)} \u00b1 ${bar.toPrecision(2).replace("-", "\u2212")}`;
 }
 
+// A text without the characters that turn those behind it round.
+export function upright(text) {
+  return text.replace(/[\u202a-\u202e\u2066-\u2069]/g, "");
+}
+
 // An element with properties and children; texts are texts, never markup.
 export function element(name, properties = {}, ...children) {
   const made = document.createElement(name);

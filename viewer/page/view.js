@@ -3,6 +3,10 @@
 
 const DEEPEST = 1e-13; // of the whole: beyond, neighbouring doubles are further apart than pixels
 const LARGEST = 1e305; // scale, so that pixels are finite
+const FARTHEST = 1e307; // coordinate of the whole, and
+const WIDEST = 1e308; // width of a view, so that it is a double
+
+const finite = (pixels) => Math.min(Math.max(pixels, -1e300), 1e300); // differences of the largest doubles are not
 
 export class View {
   constructor(box) {
@@ -10,8 +14,9 @@ export class View {
     this.width = this.height = 1;
   }
 
-  setBox([minX, minY, maxX, maxY]) {
-    if (!(minX <= maxX)) [minX, minY, maxX, maxY] = [-1, -1, 1, 1];
+  setBox(box) {
+    const [minX, minY, maxX, maxY] = box[0] <= box[2]
+      ? box.map((value) => Math.min(Math.max(value, -FARTHEST), FARTHEST)) : [-1, -1, 1, 1];
     this.whole = { x: minX / 2 + maxX / 2, y: minY / 2 + maxY / 2, width: maxX - minX, height: maxY - minY };
     const size = Math.max(this.whole.width, this.whole.height);
     this.size = size > 0 ? size : Math.max(Math.abs(this.whole.x), Math.abs(this.whole.y), 1);
@@ -37,7 +42,7 @@ export class View {
     return Math.min(Math.min(this.width, this.height) / (DEEPEST * far), LARGEST);
   }
   limited(scale) {
-    return Math.min(Math.max(scale, 0.2 * this.wholeScale), this.maxScale);
+    return Math.min(Math.max(scale, 0.2 * this.wholeScale, Math.max(this.width, this.height) / WIDEST), this.maxScale);
   }
   get depth() {
     return this.scale / this.wholeScale;
@@ -55,10 +60,10 @@ export class View {
 
   // Pixels of a point, and the point at a pixel.
   px(x) {
-    return (x - this.x - this.dx) * this.scale + this.width / 2;
+    return finite((x - this.x - this.dx) * this.scale) + this.width / 2;
   }
   py(y) {
-    return this.height / 2 - (y - this.y - this.dy) * this.scale;
+    return this.height / 2 - finite((y - this.y - this.dy) * this.scale);
   }
   at(px, py) {
     return [this.x + (this.dx + (px - this.width / 2) / this.scale),

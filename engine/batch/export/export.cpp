@@ -15,41 +15,6 @@ namespace {
 
 constexpr std::uint32_t jobs_between_reports = 64;
 
-// Goes through the jobs of the plan that are wanted and calls found(result) for each that has one. Throws Cancelled.
-template <typename Wanted, typename Found>
-ExportCounts for_each_result(const Store& store, const Plan& plan, const Wanted& wanted, const Found& found,
-                             const Progress& progress) {
-  ExportCounts counts;
-  const InputDigests inputs = store.digests();
-  const std::vector<const std::string*> digests = digests_by_curve(plan, inputs);
-  const JobKeys keys(plan);
-  for (std::uint32_t number = 0; number < plan.jobs.size(); ++number) {
-    if (number % jobs_between_reports == 0 &&
-        !progress(static_cast<double>(number) / static_cast<double>(plan.jobs.size()))) {
-      throw Cancelled();
-    }
-    const Job& job = plan.jobs[number];
-    if (!wanted(plan.group_of(job))) continue;
-    const std::optional<JobKey> key = keys.find(job, digests);
-    const Store::Known* const known = key ? store.stored().find(*key) : nullptr;
-    if (known == nullptr) {
-      ++counts.missing;
-      continue;
-    }
-    std::optional<Result> result = store.result(*known);
-    if (!result) {
-      ++counts.missing;
-      counts.damaged.push_back(damage_line(store, plan, number));
-      continue;
-    }
-    ++(result->failed() ? counts.failed : counts.done);
-    result->job = number;
-    found(*result);
-  }
-  if (store.damaged()) counts.damaged.push_back(store.path() + ": is damaged, some of its results cannot be reached");
-  return counts;
-}
-
 // "FIRST SECOND parameters.K=0.9": the curves and what a grid varies, or else all options of a job without curves.
 std::string inputs_of(const Plan& plan, const Job& job, const std::vector<SweptOption>& swept) {
   const JobGroup& group = plan.group_of(job);
@@ -79,12 +44,6 @@ void require_no_curve(const std::string& path, const Store& store, const Plan& p
   }
 }
 
-Plan plan_of(const Store& store) {
-  std::optional<Plan> plan = store.plan();
-  if (!plan) throw DataError("the store holds no plan yet");
-  return std::move(*plan);
-}
-
 // The operation of a table: the one that is named, or the only one.
 const Operation& operation_for(const Plan& plan, const std::optional<std::string>& name) {
   const JobGroup* only = nullptr;
@@ -110,6 +69,45 @@ ExportFormat export_format(const std::string& path) {
   throw UsageError(path + ": the name has to end in .csv, .jsonl, .npy, .nc or .h5");
 }
 
+Plan detail::plan_of(const Store& store) {
+  std::optional<Plan> plan = store.plan();
+  if (!plan) throw DataError("the store holds no plan yet");
+  return std::move(*plan);
+}
+
+ExportCounts detail::for_each_result(const Store& store, const Plan& plan, const std::optional<std::string>& operation,
+                                     const std::function<void(const Result&)>& found, const Progress& progress) {
+  ExportCounts counts;
+  const InputDigests inputs = store.digests();
+  const std::vector<const std::string*> digests = digests_by_curve(plan, inputs);
+  const JobKeys keys(plan);
+  for (std::uint32_t number = 0; number < plan.jobs.size(); ++number) {
+    if (number % jobs_between_reports == 0 &&
+        !progress(static_cast<double>(number) / static_cast<double>(plan.jobs.size()))) {
+      throw Cancelled();
+    }
+    const Job& job = plan.jobs[number];
+    if (operation && plan.group_of(job).operation->name != *operation) continue;
+    const std::optional<JobKey> key = keys.find(job, digests);
+    const Store::Known* const known = key ? store.stored().find(*key) : nullptr;
+    if (known == nullptr) {
+      ++counts.missing;
+      continue;
+    }
+    std::optional<Result> result = store.result(*known);
+    if (!result) {
+      ++counts.missing;
+      counts.damaged.push_back(damage_line(store, plan, number));
+      continue;
+    }
+    ++(result->failed() ? counts.failed : counts.done);
+    result->job = number;
+    found(*result);
+  }
+  if (store.damaged()) counts.damaged.push_back(store.path() + ": is damaged, some of its results cannot be reached");
+  return counts;
+}
+
 ExportCounts detail::export_results(const Store& store, const std::string& path, ExportFormat format,
                                     const std::optional<std::string>& operation, const Progress& progress) {
   const Plan plan = plan_of(store);
@@ -117,9 +115,9 @@ ExportCounts detail::export_results(const Store& store, const std::string& path,
   // Tables of fixed columns go through the results twice, first for the widths of texts and which columns there are.
   const double passes = format == ExportFormat::json_lines || format == ExportFormat::csv ? 1 : 2;
   double pass = 0;
-  const auto wanted = [&](const JobGroup& group) { return !operation || group.operation->name == *operation; };
   const EachResult results = [&](const std::function<void(const Result&)>& take) {
-    counts = for_each_result(store, plan, wanted, take, [&](double part) { return progress((pass + part) / passes); });
+    const Progress share([&](double part) { return progress((pass + part) / passes); });
+    counts = for_each_result(store, plan, operation, take, share);
     pass = std::min(pass + 1, passes - 1);
   };
   require_no_curve(path, store, plan);
@@ -151,14 +149,13 @@ StoreSurvey detail::survey(const Store& store, const Progress& progress) {
     if (is_new) at->second = swept_options(plan, *operation);
     return inputs_of(plan, job, at->second);
   };
-  const auto any = [](const JobGroup&) { return true; };
   const auto note = [&](const Result& result) {
     if (!result.failed()) return;
     const auto [at, is_new] = known.try_emplace(result.error, all.failures.size());
     if (is_new) all.failures.push_back({result.error, first_of(result)});
     ++all.failures[at->second].jobs;
   };
-  all.counts = for_each_result(store, plan, any, note, progress);
+  all.counts = for_each_result(store, plan, {}, note, progress);
   return all;
 }
 

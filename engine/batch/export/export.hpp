@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,14 @@ namespace lober::detail {
 /// standard output. Throws DataError, UsageError, Cancelled.
 ExportCounts export_results(const Store& store, const std::string& path, ExportFormat format,
                             const std::optional<std::string>& operation = {}, const Progress& progress = {});
+
+/// The plan of a store. Throws DataError where there is none.
+[[nodiscard]] Plan plan_of(const Store& store);
+
+/// Calls `found` for each result of a job of the plan, failures among them, in the order of the plan; of one operation,
+/// if it is named. Those that are damaged are counted and left out. Throws Cancelled.
+ExportCounts for_each_result(const Store& store, const Plan& plan, const std::optional<std::string>& operation,
+                             const std::function<void(const Result&)>& found, const Progress& progress = {});
 
 /// How far the plan of a store is. Reads and verifies all results.
 struct StoreSurvey {
