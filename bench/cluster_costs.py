@@ -68,7 +68,7 @@ def one_process(folder: Path, count: int, points: int) -> dict[str, Any]:
     manifest = family(folder, count, points)
     store = folder / f"{points}.results"
     clock = Clock()
-    run = _lober.start_shared_run(str(manifest), None, str(store), (0, 1), "", 1)
+    run = _lober.start_shared_run(str(manifest), None, store=str(store), threads=1)
     clock.lap("plan")
     jobs = portions = sent = read = 0
     operations = 0.0
@@ -76,7 +76,7 @@ def one_process(folder: Path, count: int, points: int) -> dict[str, Any]:
         encoded = run.encoded(portion)
         read += len(run.files(portion))
         clock.lap("hand out")
-        results, _, seconds = _lober.run_portion(encoded, str(folder / "manifest.toml"), "", "", "", 1, 0, [])
+        results, _, seconds = _lober.run_portion(encoded, str(folder / "manifest.toml"), threads=1)
         clock.lap("run")
         run.add(portion, results)
         clock.lap("store")
@@ -96,13 +96,13 @@ def costs_of_curves(folder: Path, points: int, count: int) -> float:
     times = []
     for pairs in ('{ lag = 1 }', '"all"'):
         text = manifest.read_text().replace('"all"', pairs)
-        run = _lober.start_shared_run(str(manifest), text, str(folder / "curves.results"), (0, 1), "", 1)
+        run = _lober.start_shared_run(str(manifest), text, store=str(folder / "curves.results"), threads=1)
         jobs = list(range(run.pending))
         encoded = run.encoded(jobs)
         best = float("inf")
         for _ in range(3):
             begin = time.process_time()
-            _lober.run_portion(encoded, str(folder / "manifest.toml"), "", "", "", 1, 0, [])
+            _lober.run_portion(encoded, str(folder / "manifest.toml"), threads=1)
             best = min(best, time.process_time() - begin)
         run.finish("stopped")
         os.remove(folder / "curves.results")
@@ -120,7 +120,7 @@ def plan_of(folder: Path) -> dict[str, float]:
     manifest = folder / "plan" / "job.toml"
     manifest.write_text('operation = "overlay"\ncurves = "q*.csv"\npairs = "all"\n')
     before, begin = resident(), time.process_time()
-    run = _lober.start_shared_run(str(manifest), None, str(folder / "plan.results"), (0, 1), "", 1)
+    run = _lober.start_shared_run(str(manifest), None, store=str(folder / "plan.results"), threads=1)
     made = {"jobs": run.pending, "plan_bytes": (resident() - before) / run.pending,
             "plan_seconds": (time.process_time() - begin) / run.pending}
     run.finish("stopped")
@@ -130,7 +130,7 @@ def plan_of(folder: Path) -> dict[str, float]:
 def tasks_of(client: Any, folder: Path, count: int = 400) -> dict[str, float]:
     """Wall time a task of one small job, and the part of it that this process works."""
     manifest = folder / "100.toml"
-    run = _lober.start_shared_run(str(manifest), None, str(folder / "tasks.results"), (0, 1), "", 1)
+    run = _lober.start_shared_run(str(manifest), None, store=str(folder / "tasks.results"), threads=1)
     work = _dask_worker.Work(lober.__version__, str(folder), "", "", "", 1, 0)
 
     class OneJob:

@@ -242,12 +242,13 @@ def with_connection(system: System, connection: tuple[Any, ...]) -> System: ...
 def batch_run(
     path: str,
     text: str | None,
-    store: str,
-    shard: tuple[int, int],
-    memory: int,
-    output_root: str,
-    threads: int,
     progress: _Progress,
+    *,
+    store: str,
+    shard: tuple[int, int] = ...,
+    memory: int = ...,
+    output_root: str = ...,
+    threads: int = ...,
 ) -> dict[str, Any]: ...
 class SharedRun:
     def __init__(self, *args: Any, **kwargs: Any) -> None: ...
@@ -264,18 +265,34 @@ class SharedRun:
     def fail(self, job: int, message: str) -> None: ...
     def finish(self, how: str) -> None: ...
 
+class KeptCurves:
+    def __init__(self, *args: Any, **kwargs: Any) -> None: ...
+    def set_budget(self, budget: int) -> None: ...
+    @property
+    def counts(self) -> dict[str, int]: ...
+
+def kept_curves() -> KeptCurves: ...
 def start_shared_run(
-    path: str, text: str | None, store: str, shard: tuple[int, int], output_root: str, threads: int
+    path: str,
+    text: str | None,
+    *,
+    store: str,
+    shard: tuple[int, int] = ...,
+    memory: int = ...,
+    output_root: str = ...,
+    threads: int = ...,
 ) -> SharedRun: ...
 def run_portion(
     portion: bytes,
     manifest_path: str,
-    files_root: str,
-    output_root: str,
-    store: str,
-    threads: int,
-    memory: int,
-    names: list[tuple[str, str]],
+    *,
+    files_root: str = ...,
+    output_root: str = ...,
+    store: str = ...,
+    threads: int = ...,
+    memory: int = ...,
+    names: list[tuple[str, str]] = ...,
+    kept: KeptCurves = ...,
 ) -> tuple[bytes, int, float]: ...
 def batch_check(path: str, text: str | None) -> dict[str, Any]: ...
 def batch_survey(store: str) -> tuple[dict[str, Any], list[tuple[str, str, int]]]: ...

@@ -115,13 +115,19 @@ def run(
         raise UsageError(f"memory is a number of bytes, not {memory}")
     threads = threads_of(threads)
     with watching(progress, "batch") as callback, _explained(text):
-        given = (path, text, found.path, (number - 1, of), int(bytes_given), os.fspath(output_root), threads)
+        options = {
+            "store": found.path,
+            "shard": (number - 1, of),
+            "memory": int(bytes_given),
+            "output_root": os.fspath(output_root),
+            "threads": threads,
+        }
         if client is None:
             if scatter:
                 raise UsageError("scatter is for the workers of a client")
-            parts = _lober.batch_run(*given, callback)
+            parts = _lober.batch_run(path, text, callback, **options)
         else:
-            parts = _dask.run_batch(client, *given, scatter, callback)
+            parts = _dask.run_batch(client, path, text, options, scatter, callback)
     found.report = Report._of(parts)
     if parts["stopped"]:
         raise Cancelled(

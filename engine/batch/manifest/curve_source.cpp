@@ -14,9 +14,12 @@ std::string CurveSource::periodic() const {
 
 CurveUnit unit_of(const std::vector<CurveSource>& sources, const std::string& manifest_path) {
   const CurveSource& any = sources.front();
-  if (any.file.empty()) return manifold_unit(*any.recipe);
-  CurveUnit of_file = file_unit(located(manifest_path, any.file), sources);
-  return any.recipe ? image_unit(*any.recipe, std::move(of_file)) : of_file;
+  const std::string path = any.file.empty() ? "" : located(manifest_path, any.file);
+  CurveUnit unit = path.empty() ? manifold_unit(*any.recipe) : file_unit(path, sources);
+  if (any.recipe && !path.empty()) unit = image_unit(*any.recipe, std::move(unit));
+  unit.names.path = path;
+  for (const CurveSource& source : sources) unit.names.curves.push_back(path + '\n' + source.input_name());
+  return unit;
 }
 
 std::vector<std::string> digests_of(const std::vector<CurveSource>& sources, const std::string& manifest_path) {

@@ -34,7 +34,7 @@ std::size_t working_memory(const Operation& operation, std::size_t points) {
 
 JobQueue::JobQueue(const JobQueueOptions& options) : options_(options) {
   if (options_.memory == 0) options_.memory = machine_memory() / 2;
-  cache_ = std::make_unique<CurveCache>(options_.memory);
+  cache_ = std::make_unique<CurveCache>(options_.memory, options_.kept);
 }
 
 JobQueue::~JobQueue() = default;

@@ -40,6 +40,8 @@ struct JobQueueOptions {
   std::size_t memory = 0;   ///< bytes, as QueueOptions::memory
   bool digests = false;     ///< hash the curves that are read
   bool concurrent = false;  ///< `done` may be called from several threads at the same time
+  /// Curves of earlier queues, for those with names (CurveUnit::names); may be null, has to outlive the queue.
+  KeptCurves* kept = nullptr;
 };
 
 class JobQueue {
