@@ -2,9 +2,10 @@
 #pragma once
 
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 
+#include <optional>
 #include <string>
-#include <utility>
 
 namespace lober::python {
 
@@ -14,13 +15,13 @@ namespace lober::python {
 ///   Keywords(given).take("store", options.store).take("output_root", options.output_root).end();
 class Keywords {
  public:
-  explicit Keywords(const pybind11::kwargs& given) : rest_(pybind11::dict(given)) {}
+  explicit Keywords(const pybind11::dict& given) : rest_(given.attr("copy")()) {}
 
-  /// Throws TypeError for a value that is not of the member's type.
+  /// None is as if it were not given. Throws TypeError for a value that is not of the member's type.
   template <typename Member>
   Keywords& take(const char* name, Member& member) {
-    if (!rest_.contains(name)) return *this;
-    const pybind11::object value = rest_.attr("pop")(name);
+    const pybind11::object value = rest_.attr("pop")(name, pybind11::none());
+    if (value.is_none()) return *this;
     try {
       member = value.cast<Member>();
     } catch (const pybind11::cast_error&) {
@@ -29,13 +30,12 @@ class Keywords {
     }
     return *this;
   }
-  /// The same for what is no member as it stands: `use(value)`.
+  /// The same for a member of another type than the argument: use(value).
   template <typename Value, typename Use>
   Keywords& take_as(const char* name, const Use& use) {
-    if (!rest_.contains(name)) return *this;
-    Value value;
+    std::optional<Value> value;
     take(name, value);
-    use(std::move(value));
+    if (value) use(*value);
     return *this;
   }
   /// Throws TypeError for an argument that nobody has taken.
@@ -46,7 +46,7 @@ class Keywords {
   }
 
  private:
-  pybind11::dict rest_;  // a copy
+  pybind11::dict rest_;
 };
 
 }  // namespace lober::python

@@ -62,9 +62,9 @@ def run_batch(
     """As _lober.batch_run, by the workers of `client`; `memory` and `threads` of the options are those of a task."""
     require_client(client)
     begin = time.monotonic()
-    threads = options["threads"] or 1
+    options = {**options, "threads": options["threads"] or 1}
     output_root = options["output_root"]
-    shared = _lober.start_shared_run(path, text, **{**options, "threads": threads})
+    shared = _lober.start_shared_run(path, text, **options)
     parent = os.path.dirname(path)
     work = Work(
         version=_lober.__version__,
@@ -72,7 +72,7 @@ def run_batch(
         shown_folder=parent + "/" if parent and not parent.endswith("/") else parent,
         store=os.path.abspath(options["store"]),
         output_root=os.path.abspath(output_root) if output_root else "",
-        threads=threads,
+        threads=options["threads"],
         memory=options["memory"],
         run=uuid.uuid4().hex,
     )

@@ -33,6 +33,7 @@ class Areas:
     def __eq__(self, other: object) -> bool: ...
 
 def areas_of(
+    *,
     c1: float,
     c2: float,
     intersection: float,
@@ -119,13 +120,14 @@ def overlap_matrix(
     offsets1: NDArray[np.int64],
     points2: _Points | None,
     offsets2: NDArray[np.int64] | None,
-    measures: list[str],
-    dense: bool,
-    bounds: bool,
-    check_simple: bool,
-    keep_going: bool,
-    threads: int,
     progress: _Progress,
+    *,
+    measures: list[str] = ...,
+    check_simple: bool = ...,
+    keep_going: bool = ...,
+    dense: bool = ...,
+    bounds: bool = ...,
+    threads: int = ...,
 ) -> tuple[
     dict[str, tuple[NDArray[np.float64], NDArray[np.float64] | None]], NDArray[np.int64], NDArray[np.uint32], int, list[str]
 ]: ...
@@ -188,25 +190,27 @@ class System:
 def systems() -> list[tuple[str, str, list[tuple[Any, ...]]]]: ...
 def system(name: str, values: list[tuple[str, float]], tolerance: float) -> System: ...
 def own_system(
-    name: str,
-    summary: str,
-    values: list[tuple[str, float]],
     map: Any,
+    *,
+    name: str,
+    summary: str = ...,
+    values: list[tuple[str, float]] = ...,
     window: _Box,
-    lattice: _Pair,
-    connection: tuple[Any, ...] | None,
+    lattice: _Pair = ...,
+    connection: tuple[Any, ...] | None = ...,
 ) -> System: ...
 def field_system(
-    name: str,
-    summary: str,
-    values: list[tuple[str, float]],
     field: Any,
+    *,
+    name: str,
+    summary: str = ...,
+    values: list[tuple[str, float]] = ...,
     window: _Box,
-    lattice: _Pair,
-    section: dict[str, Any] | None,
-    phase: float,
-    energy: float,
-    tolerance: float,
+    lattice: _Pair = ...,
+    section: dict[str, Any] | None = ...,
+    phase: float = ...,
+    energy: float = ...,
+    tolerance: float = ...,
 ) -> System: ...
 def set_saddles(system: System, states: list[list[float]]) -> None: ...
 def at_rest(system: System, position: _Pair) -> list[float]: ...

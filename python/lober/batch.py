@@ -115,7 +115,7 @@ def run(
         raise UsageError(f"memory is a number of bytes, not {memory}")
     threads = threads_of(threads)
     with watching(progress, "batch") as callback, _explained(text):
-        options = {
+        options: dict[str, Any] = {
             "store": found.path,
             "shard": (number - 1, of),
             "memory": int(bytes_given),

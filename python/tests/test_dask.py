@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 from pathlib import Path
 
 import numpy as np
@@ -128,6 +129,47 @@ def test_same_bytes_as_one_process(cluster, tmp_path, monkeypatch):
         for scatter in (False, True):
             one, two = lober.batch.run(by_name), lober.batch.run(by_name, client=client, scatter=scatter)
             assert exported(one) == exported(two)
+
+
+def test_workers_keep_curves(cluster, tmp_path):
+    cluster.start_workers(2)
+    manifest = family(tmp_path, PAIRS, count=60, points=2000, bad=False)
+    time.sleep(2.1)  # a younger file is read each time
+    kept_counts = lambda: sys.modules["lober._dask_worker"].KEPT.counts  # noqa: E731, which Dask sends by value
+    with cluster.client(2) as client:
+        first = exported(shared(manifest, client, "first"))
+        for store in ("second", "third"):
+            assert exported(shared(manifest, client, store)) == first
+        # Each worker has read each curve once at most, for all portions of three runs.
+        for counts in client.run(kept_counts).values():
+            assert counts["kept"] == counts["curves"] <= 60 and counts["found"] > 2 * counts["kept"]
+            assert counts["occupied_bytes"] == 0 and counts["dropped"] == 0
+        # Of the same size, and in place of the other.
+        lober.write(tmp_path / "c003.npy", flower(2000, 77))
+        os.replace(tmp_path / "c004.npy", tmp_path / "c005.npy")
+        lober.write(tmp_path / "c004.npy", flower(2000, 78))
+        changed = exported(shared(manifest, client, "fourth"))
+        assert changed != first and changed == expected(manifest)
+        # In little memory: room for two curves.
+        memory = 2 * 2000 * 21
+        assert exported(shared(manifest, client, "little", memory=memory)) == changed
+        for counts in client.run(kept_counts).values():
+            assert counts["idle_bytes"] <= memory and counts["dropped"] > 0 and counts["occupied_bytes"] == 0
+
+
+def test_two_runs_at_once_share_workers(cluster, tmp_path):
+    cluster.start_workers(2)
+    manifest = family(tmp_path, PAIRS, count=60, points=2000)
+    whole = expected(manifest)
+    with cluster.client(2) as client, cluster.client(2) as other:
+        stores = []
+        with during(lambda: stores.append(shared(manifest, other, "other"))):
+            stores.append(shared(manifest, client))
+        assert [exported(store) for store in stores] == [whole, whole]
+        # Into one store: one of them is told, or finds the results of the other one.
+        with during(lambda: stores.append(shared(manifest, other, "both"))):
+            stores.append(shared(manifest, client, "both"))
+        assert exported(stores[-1]) == whole
 
 
 # As if portions took longer, so that there is time to disturb them.

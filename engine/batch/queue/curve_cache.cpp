@@ -138,7 +138,7 @@ std::shared_ptr<CurveCache::Loaded> CurveCache::read(UnitId number, const Loadin
   }
   const std::optional<FileStamp> before = kept_->stamp_of(unit.what.names);
   std::shared_ptr<Loaded> loaded = read_anew(unit, loading);
-  // What could not be read, for want of memory for instance, may be readable the next time.
+  // A curve that could not be read, for want of memory for instance, may be readable the next time.
   const bool complete = std::all_of(loaded->curves.begin(), loaded->curves.end(),
                                     [](const auto& one) { return !one.curve->curve().points.empty(); });
   if (before && complete) kept_->keep(unit.what.names, requirements, *before, loaded->curves);
@@ -187,7 +187,7 @@ void CurveCache::end_loading(UnitId number, const Loaded& loaded) {
       member.prepared = std::make_shared<const PreparedCurve>("the input changed while it was in use");
     }
     member.points = member.prepared->curve().points.size();
-    const bool indexed = member.prepared->error().empty() && member.requirements.index;
+    const bool indexed = member.prepared->error(member.requirements).empty() && member.requirements.index;
     if (indexed && !loaded.was_kept) ++counts_.curves_indexed;
   }
   unit.state = State::resident;

@@ -8,8 +8,8 @@
 
 namespace lober::detail {
 
-/// Equal stamps at two times: the file has not been written, replaced or renamed between them. What is written past the
-/// system's books, as through a shared mapping, shows when the system writes it down.
+/// Equal stamps at two times: the file has not been written, replaced or renamed between them. Writing through a
+/// shared mapping shows when the system writes the pages down.
 struct FileStamp {
   std::uint64_t device = 0, number = 0, size = 0;  ///< number: the inode
   std::int64_t modified = 0, changed = 0;          ///< nanoseconds since 1970: content; content, name or rights

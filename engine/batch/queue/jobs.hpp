@@ -91,6 +91,7 @@ class JobQueue {
   JobQueueOptions options_;
   std::unique_ptr<CurveCache> cache_;
   std::vector<JobGroup> groups_;
+  std::vector<Requirements> requirements_;  ///< by group
   std::vector<Job> jobs_;
   std::size_t first_waiting_ = 0;
   std::atomic<bool> stop_{false}, cancelled_{false}, running_{false};

@@ -11,11 +11,11 @@ std::size_t bytes_of_budget(std::size_t budget) {
   return budget != 0 ? budget : machine_memory() / 2;
 }
 
-// Whether a curve that was prepared for `all` is what `some` make of it. An error may come from what only `all` want.
-bool serves(const PreparedCurve& curve, const Requirements& all, const Requirements& some) {
+// Whether a curve that was prepared for `all` is so for `some`.
+bool serves(const Requirements& all, const Requirements& some) {
   Requirements both = all;
   both |= some;
-  return all == some || (both == all && curve.error().empty());
+  return both == all;
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ void KeptCurves::set_budget(std::size_t budget) {
   Entries removed;
   const std::lock_guard lock(mutex_);
   budget_ = bytes_of_budget(budget);
-  make_room(removed);
+  drop_idle(removed);
 }
 
 std::optional<FileStamp> KeptCurves::stamp_of(const KeptNames& names) const {
@@ -57,7 +57,7 @@ std::optional<std::vector<KeptCurves::Kept>> KeptCurves::find(const KeptNames& n
       remove(entry, removed);
       return std::nullopt;
     }
-    if (!serves(*entry->kept.curve, entry->requirements, requirements[k])) return std::nullopt;
+    if (!serves(entry->requirements, requirements[k])) return std::nullopt;
     found.push_back(entry);
   }
   for (const std::shared_ptr<Entry>& entry : found) curves.push_back({lent(entry), entry->kept.digest});
@@ -74,7 +74,7 @@ void KeptCurves::keep(const KeptNames& names, std::span<const Requirements> requ
     const auto at = entries_.find(names.curves[k]);
     std::shared_ptr<Entry> entry = at == entries_.end() ? nullptr : at->second;
     // Another queue may have kept the same meanwhile.
-    if (!entry || entry->stamp != before || !serves(*entry->kept.curve, entry->requirements, requirements[k])) {
+    if (!entry || entry->stamp != before || !serves(entry->requirements, requirements[k])) {
       if (entry) remove(entry, removed);
       const std::size_t bytes = curves[k].curve->memory();
       entry = std::make_shared<Entry>(Entry{names.curves[k], before, requirements[k], curves[k], bytes});
@@ -90,7 +90,7 @@ void KeptCurves::occupy(std::ptrdiff_t bytes) {
   if (bytes <= 0 || taken + idle_bytes_ <= budget_) return;
   Entries removed;
   const std::lock_guard lock(mutex_);
-  make_room(removed);
+  drop_idle(removed);
 }
 
 KeptCurves::Counts KeptCurves::counts() const {
@@ -133,7 +133,7 @@ void KeptCurves::give_back(const std::shared_ptr<Entry>& entry) {
   if (at == entries_.end() || at->second != entry) return;  // the file has changed meanwhile
   entry->idle_at = idle_.insert(idle_.end(), entry);
   idle_bytes_ += entry->bytes;
-  make_room(removed);
+  drop_idle(removed);
 }
 
 void KeptCurves::remove(const std::shared_ptr<Entry>& entry, Entries& removed) {
@@ -145,7 +145,7 @@ void KeptCurves::remove(const std::shared_ptr<Entry>& entry, Entries& removed) {
   removed.push_back(entry);
 }
 
-void KeptCurves::make_room(Entries& removed) {
+void KeptCurves::drop_idle(Entries& removed) {
   while (!idle_.empty() && occupied_ + idle_bytes_ > budget_) {
     remove(std::shared_ptr<Entry>(idle_.front()), removed);
     ++counts_.dropped;

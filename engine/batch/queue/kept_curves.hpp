@@ -57,7 +57,7 @@ class KeptCurves {
   void keep(const KeptNames& names, std::span<const Requirements> requirements, const FileStamp& before,
             std::span<Kept> curves);
 
-  /// Says that a queue takes so many bytes more, or fewer, curves that are in use included.
+  /// Says that a queue takes this number of bytes more (or less, if negative), curves that are in use included.
   void occupy(std::ptrdiff_t bytes);
 
   struct Counts {
@@ -73,14 +73,14 @@ class KeptCurves {
     Requirements requirements;
     Kept kept;
     std::size_t bytes = 0, users = 0;
-    std::optional<std::list<std::shared_ptr<Entry>>::iterator> idle_at = {};  ///< of those that nobody uses
+    std::optional<std::list<std::shared_ptr<Entry>>::iterator> idle_at = {};  ///< if nobody uses it
   };
   struct Loan;
   using Entries = std::vector<std::shared_ptr<Entry>>;
   [[nodiscard]] std::shared_ptr<const PreparedCurve> lent(const std::shared_ptr<Entry>& entry);
   void give_back(const std::shared_ptr<Entry>& entry);
   void remove(const std::shared_ptr<Entry>& entry, Entries& removed);
-  void make_room(Entries& removed);
+  void drop_idle(Entries& removed);
 
   const std::chrono::nanoseconds age_;
   mutable std::mutex mutex_;  ///< for all that follows, except that the sums are read without it
