@@ -17,7 +17,8 @@ class Keywords {
  public:
   explicit Keywords(const pybind11::dict& given) : rest_(given.attr("copy")()) {}
 
-  /// None is as if it were not given. Throws TypeError for a value that is not of the member's type.
+  /// None is as if it were not given. Throws TypeError for a value that is not of the member's type or out of its
+  /// range.
   template <typename Member>
   Keywords& take(const char* name, Member& member) {
     const pybind11::object value = rest_.attr("pop")(name, pybind11::none());
@@ -25,8 +26,7 @@ class Keywords {
     try {
       member = value.cast<Member>();
     } catch (const pybind11::cast_error&) {
-      throw pybind11::type_error(std::string(name) + ": cannot be " +
-                                 pybind11::repr(pybind11::type::of(value)).cast<std::string>());
+      throw pybind11::type_error(std::string(name) + " cannot be " + pybind11::repr(value).cast<std::string>());
     }
     return *this;
   }

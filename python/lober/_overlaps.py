@@ -60,6 +60,8 @@ def overlap_matrix(
     client: a cluster of Dask, whose workers compute tiles of the matrix, each with one thread, from curves that are sent to
         them; the matrix has to fit here. The same bits
     """
+    if not isinstance(what, Iterable):
+        raise TypeError(f"what is a name or a list of names, not {type(what).__name__}")
     names = [what] if isinstance(what, str) else list(what)
     measures = list(dict.fromkeys(_measure_of(name, sparse) for name in names))
     first = curve_set_of(curves_a, "curves_a")
@@ -71,8 +73,8 @@ def overlap_matrix(
         "measures": measures,
         "dense": not sparse,
         "bounds": has_bounds,
-        "check_simple": bool(check_simple),
-        "keep_going": bool(keep_going),
+        "check_simple": check_simple,
+        "keep_going": keep_going,
     }
     with watching(progress, "overlap_matrix") as callback:
         if client is None:

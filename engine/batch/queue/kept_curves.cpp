@@ -33,6 +33,17 @@ void KeptCurves::set_budget(std::size_t budget) {
   drop_idle(removed);
 }
 
+std::size_t KeptCurves::points(const KeptNames& names) const {
+  std::size_t sum = 0;
+  const std::lock_guard lock(mutex_);
+  for (const std::string& name : names.curves) {
+    const auto at = entries_.find(name);
+    if (at == entries_.end()) return 0;
+    sum += at->second->kept.curve->curve().points.size();
+  }
+  return sum;
+}
+
 std::optional<FileStamp> KeptCurves::stamp_of(const KeptNames& names) const {
   if (names.curves.empty()) return std::nullopt;
   if (names.path.empty()) return FileStamp{};

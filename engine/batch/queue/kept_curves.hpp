@@ -50,6 +50,8 @@ class KeptCurves {
   /// The curves of a unit, if all of them are there as `requirements` want them, from the file as it is now.
   [[nodiscard]] std::optional<std::vector<Kept>> find(const KeptNames& names,
                                                       std::span<const Requirements> requirements);
+  /// The points of the curves of a unit when they were kept, for an estimate that reads nothing; 0: not all are there.
+  [[nodiscard]] std::size_t points(const KeptNames& names) const;
   /// The stamp to take before a unit is read, for `keep`; none: its curves cannot be kept.
   [[nodiscard]] std::optional<FileStamp> stamp_of(const KeptNames& names) const;
   /// Keeps the curves of a unit and puts in their place the pointers by which it learns when they are not used any
