@@ -248,7 +248,8 @@ class SharedBatch:
                 raise UsageError(
                     f"the worker {outcome.worker} {outcome.why}, and this is lober {self._work.version}; install the same version"
                 )
-            self._workers.unfit[outcome.worker] = outcome.why
+            if os.path.exists(outcome.missing):  # else it has gone here too, since it was asked for, and its jobs fail
+                self._workers.unfit[outcome.worker] = outcome.why
             self._waiting.append(task)
             return
         self._shared.add(task.jobs, outcome.results)

@@ -63,8 +63,9 @@ class Unfit(NamedTuple):
 
     worker: str
     why: str
-    #: The other version of lober; empty where an input is missing.
+    #: The other version of lober; empty where an input is missing, and then which one.
     version: str = ""
+    missing: str = ""
 
 
 def compute(work: Work, portion: Portion, contents: dict[str, bytes] | None) -> Done | Unfit:
@@ -89,7 +90,7 @@ def _computed(work: Work, portion: Portion, contents: dict[str, bytes] | None) -
     else:
         missing = next((file for file in portion.files if not os.path.exists(file)), None)
         if missing is not None:
-            return Unfit(address, f"does not find {missing}")
+            return Unfit(address, f"does not find {missing}", missing=missing)
     # "/." tells names relative to the manifest, in messages, from absolute ones below the same folder.
     folder = root + work.folder.rstrip("/") + "/."
     names = [(folder + "/", work.shown_folder), (root, "")]
@@ -161,4 +162,4 @@ def rest(run: str, dask_worker: Any) -> None:
     """At the end of a run: removes its copies, and all curves but those that a next run may use."""
     shutil.rmtree(Path(dask_worker.local_directory).resolve() / COPIES / run, ignore_errors=True)
     if KEPT is not None:
-        KEPT.set_budget(int(REST_PART * _limit(dask_worker)))
+        KEPT.set_budget(int(REST_PART * _limit(dask_worker)) or 1)  # nothing where the worker has no limit: 0 is a share of all

@@ -10,6 +10,7 @@ import sys
 import threading
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -104,6 +105,18 @@ class during:
             raise self._error
 
 
+# As if portions took longer, so that there is time to disturb them.
+SLOW = """
+import time
+import lober._dask_worker as tasks
+tasks.plain = getattr(tasks, "plain", tasks.compute)  # a preload runs twice
+def compute(*given):
+    time.sleep(0.2)
+    return tasks.plain(*given)
+tasks.compute = compute
+"""
+
+
 def test_same_bytes_as_one_process(cluster, tmp_path, monkeypatch):
     cluster.start_workers(2)
     manifest = family(tmp_path, PAIRS)
@@ -159,6 +172,42 @@ def test_workers_keep_curves(cluster, tmp_path):
             assert counts["idle_bytes"] <= memory and counts["dropped"] > 0 and counts["occupied_bytes"] == 0
 
 
+def test_files_that_vanish(cluster, tmp_path):
+    """Jobs fail that have not begun, as in one process, and the rest goes on."""
+    cluster.start_workers(2, preload=SLOW)
+    manifest = family(tmp_path, PAIRS, count=60, points=3000, bad=False)
+    gone = []
+
+    def vanish(fraction, text):
+        if fraction > 0.1 and not gone:
+            gone.append([(tmp_path / f"c{k:03}.npy").unlink() for k in (3, 58)])
+        return True
+
+    with cluster.client(2) as client:
+        store = shared(manifest, client, progress=vanish)
+    assert gone and store.report.run == 1770
+    # Failures of a curve that others have read before are counted and not stored.
+    assert 0 < store.report.failed <= 117 and store.jobs.failed <= store.report.failed
+    assert {one.message.split(": ")[-1] for one in store.failures} <= {"No such file or directory"}
+
+
+@pytest.mark.parametrize("limit, left", [(10**9, 9), (None, 0)])
+def test_curves_at_rest(tmp_path, monkeypatch, limit, left):
+    """What a worker keeps between runs: a part of its memory, nothing if that has no limit."""
+    from lober import _dask_worker as tasks
+    from lober import _lober
+
+    monkeypatch.setattr(tasks, "KEPT", None)
+    manifest = family(tmp_path, SINGLES, count=9, bad=False)
+    time.sleep(2.1)  # as above
+    run = _lober.start_shared_run(str(manifest), None, store=str(tmp_path / "s"), threads=1)
+    _lober.run_portion(run.encoded(range(run.pending)), str(manifest), threads=1, kept=tasks._kept(0))
+    assert tasks.KEPT.counts["curves"] == 9
+    memory = SimpleNamespace(memory_limit=limit)
+    tasks.rest("none", SimpleNamespace(local_directory=str(tmp_path), memory_manager=memory))
+    assert tasks.KEPT.counts["curves"] == left
+
+
 def test_two_runs_at_once_share_workers(cluster, tmp_path):
     cluster.start_workers(2)
     manifest = family(tmp_path, PAIRS, count=60, points=2000)
@@ -172,18 +221,6 @@ def test_two_runs_at_once_share_workers(cluster, tmp_path):
         with during(lambda: stores.append(shared(manifest, other, "both"))):
             stores.append(shared(manifest, client, "both"))
         assert exported(stores[-1]) == whole
-
-
-# As if portions took longer, so that there is time to disturb them.
-SLOW = """
-import time
-import lober._dask_worker as tasks
-tasks.plain = getattr(tasks, "plain", tasks.compute)  # a preload runs twice
-def compute(*given):
-    time.sleep(0.2)
-    return tasks.plain(*given)
-tasks.compute = compute
-"""
 
 
 def test_workers_killed_at_random(cluster, tmp_path):
