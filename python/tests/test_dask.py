@@ -193,7 +193,7 @@ def test_files_that_vanish(cluster, tmp_path):
 
 @pytest.mark.parametrize("limit, left", [(10**9, 9), (None, 0)])
 def test_curves_at_rest(tmp_path, monkeypatch, limit, left):
-    """What a worker keeps between runs: a part of its memory, nothing if that has no limit."""
+    """Between runs a worker keeps curves in a part of its memory, none if that has no limit."""
     from lober import _dask_worker as tasks
     from lober import _lober
 
