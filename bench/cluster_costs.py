@@ -1,6 +1,6 @@
 """The costs that decide how large a batch on a cluster can get: of a pair, of a curve that is read, of a result in the store, of
 a task of Dask; and how much faster two workers are than one. Writes bench/CLUSTER.json, from which cluster_schedule.py makes the
-tables of docs/explanation/size.md. Two minutes.
+tables of docs/explanation/size.md. Five minutes.
 
     build/python/venv/bin/python bench/cluster_costs.py [--rounds N] [-o FILE]
 
@@ -33,6 +33,10 @@ from dask_cluster import Cluster  # noqa: E402
 
 #: Numbers of curves, and points of each.
 FAMILIES = [(400, 100), (300, 1_000), (60, 10_000), (14, 100_000), (4, 1_000_000)]
+#: Numbers of curves of the batches that one worker and two are timed with: some seconds of work, and four times as much.
+BATCHES = [250, 500]
+#: Processes that wait for a core, this one among them, from which on others disturb the measurement.
+LOAD = 1.5
 
 
 def family(folder: Path, count: int, points: int, waves: int = 2) -> Path:
@@ -64,11 +68,14 @@ def resident() -> int:
 
 
 def one_process(folder: Path, count: int, points: int) -> dict[str, Any]:
-    """All portions, one after the other: seconds a job and a curve, bytes a result."""
+    """All portions, one after the other: seconds a job, bytes a result. Each portion runs twice, the second time with the curves that the
+    first one has kept."""
     manifest = family(folder, count, points)
+    kept = _lober.kept_curves()
+    time.sleep(2.1)  # younger files are not kept
     store = folder / f"{points}.results"
     clock = Clock()
-    run = _lober.start_shared_run(str(manifest), None, str(store), (0, 1), "", 1)
+    run = _lober.start_shared_run(str(manifest), None, store=str(store), threads=1)
     clock.lap("plan")
     jobs = portions = sent = read = 0
     operations = 0.0
@@ -76,8 +83,9 @@ def one_process(folder: Path, count: int, points: int) -> dict[str, Any]:
         encoded = run.encoded(portion)
         read += len(run.files(portion))
         clock.lap("hand out")
-        results, _, seconds = _lober.run_portion(encoded, str(folder / "manifest.toml"), "", "", "", 1, 0, [])
-        clock.lap("run")
+        for turn in ("first run", "run"):
+            results, _, seconds = _lober.run_portion(encoded, str(folder / "manifest.toml"), threads=1, kept=kept)
+            clock.lap(turn)
         run.add(portion, results)
         clock.lap("store")
         operations += seconds
@@ -96,13 +104,13 @@ def costs_of_curves(folder: Path, points: int, count: int) -> float:
     times = []
     for pairs in ('{ lag = 1 }', '"all"'):
         text = manifest.read_text().replace('"all"', pairs)
-        run = _lober.start_shared_run(str(manifest), text, str(folder / "curves.results"), (0, 1), "", 1)
+        run = _lober.start_shared_run(str(manifest), text, store=str(folder / "curves.results"), threads=1)
         jobs = list(range(run.pending))
         encoded = run.encoded(jobs)
         best = float("inf")
         for _ in range(3):
             begin = time.process_time()
-            _lober.run_portion(encoded, str(folder / "manifest.toml"), "", "", "", 1, 0, [])
+            _lober.run_portion(encoded, str(folder / "manifest.toml"), threads=1)
             best = min(best, time.process_time() - begin)
         run.finish("stopped")
         os.remove(folder / "curves.results")
@@ -120,7 +128,7 @@ def plan_of(folder: Path) -> dict[str, float]:
     manifest = folder / "plan" / "job.toml"
     manifest.write_text('operation = "overlay"\ncurves = "q*.csv"\npairs = "all"\n')
     before, begin = resident(), time.process_time()
-    run = _lober.start_shared_run(str(manifest), None, str(folder / "plan.results"), (0, 1), "", 1)
+    run = _lober.start_shared_run(str(manifest), None, store=str(folder / "plan.results"), threads=1)
     made = {"jobs": run.pending, "plan_bytes": (resident() - before) / run.pending,
             "plan_seconds": (time.process_time() - begin) / run.pending}
     run.finish("stopped")
@@ -130,7 +138,7 @@ def plan_of(folder: Path) -> dict[str, float]:
 def tasks_of(client: Any, folder: Path, count: int = 400) -> dict[str, float]:
     """Wall time a task of one small job, and the part of it that this process works."""
     manifest = folder / "100.toml"
-    run = _lober.start_shared_run(str(manifest), None, str(folder / "tasks.results"), (0, 1), "", 1)
+    run = _lober.start_shared_run(str(manifest), None, store=str(folder / "tasks.results"), threads=1)
     work = _dask_worker.Work(lober.__version__, str(folder), "", "", "", 1, 0)
 
     class OneJob:
@@ -156,39 +164,45 @@ def tasks_of(client: Any, folder: Path, count: int = 400) -> dict[str, float]:
     return {"tasks": count, "seconds": seconds, "client_seconds": (time.process_time() - processor) / count}
 
 
-def two_workers(folder: Path, rounds: int) -> dict[str, Any]:
-    """Wall times of the same batch by one worker and by two, in turns."""
-    sub = folder / "speed"
-    sub.mkdir()
-    manifest = family(sub, 250, 20_000, waves=60)
-    cluster = Cluster(sub)
+def two_workers(folder: Path, rounds: int) -> tuple[list[dict[str, Any]], dict[str, float]]:
+    """Wall times of the same batch by one worker and by two, in turns, for each of BATCHES; and the costs of a task."""
+    batches = []
+    for number, count in enumerate(BATCHES):
+        sub = folder / f"speed{number}"
+        sub.mkdir()
+        batches.append((sub, family(sub, count, 20_000, waves=60)))
+    cluster = Cluster(folder)
     cluster.start_scheduler()
-    times: dict[int, list[float]] = {1: [], 2: []}
-    alone: dict[int, list[float]] = {1: [], 2: []}
-    overhead = {}
     try:
-        for turn in range(rounds + 1):
-            for count in (1, 2):
-                cluster.start_workers(count)
-                with cluster.client(count) as client:
-                    client.run(importlib.import_module, "lober")
-                    store = lober.batch.run(manifest, sub / f"{turn}_{count}.results", client=client)
-                    assert store.report is not None
-                    if turn > 0:  # the first round is for the caches of the system
-                        times[count].append(store.report.seconds)
-                    if turn == rounds and count == 2:
-                        overhead = tasks_of(client, folder)
-                cluster.end_workers()
-                wait_for_none(cluster)
-                # The same by threads of one process, which says how much of two cores the machine has to give.
-                begin = time.monotonic()
-                lober.batch.run(manifest, sub / f"{turn}_{count}.alone", threads=count)
-                if turn > 0:
-                    alone[count].append(time.monotonic() - begin)
+        found = [times_of(cluster, *batch, rounds) for batch in batches]
+        cluster.start_workers(2)
+        with cluster.client(2) as client:
+            return found, tasks_of(client, folder)
     finally:
         cluster.end()
+
+
+def times_of(cluster: Cluster, sub: Path, manifest: Path, rounds: int) -> dict[str, Any]:
+    times: dict[int, list[float]] = {1: [], 2: []}
+    alone: dict[int, list[float]] = {1: [], 2: []}
+    for turn in range(rounds + 1):
+        for count in (1, 2):
+            cluster.start_workers(count)
+            with cluster.client(count) as client:
+                client.run(importlib.import_module, "lober")
+                store = lober.batch.run(manifest, sub / f"{turn}_{count}.results", client=client)
+                assert store.report is not None
+                if turn > 0:  # the first round is for the caches of the system
+                    times[count].append(store.report.seconds)
+            cluster.end_workers()
+            wait_for_none(cluster)
+            # The same by threads of one process, which says how much of two cores the machine has to give.
+            begin = time.monotonic()
+            lober.batch.run(manifest, sub / f"{turn}_{count}.alone", threads=count)
+            if turn > 0:
+                alone[count].append(time.monotonic() - begin)
     return {"one": times[1], "two": times[2], "threads_one": alone[1], "threads_two": alone[2],
-            "ratios": ratios(times), "threads_ratios": ratios(alone), "jobs": store.report.jobs, "task": overhead}
+            "ratios": ratios(times), "threads_ratios": ratios(alone), "jobs": store.report.jobs}
 
 
 def ratios(times: dict[int, list[float]]) -> list[float]:
@@ -216,14 +230,18 @@ def main() -> None:
     commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=ROOT, capture_output=True, text=True).stdout.strip()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
+        plan = plan_of(folder)  # first, while the process has no memory to use again
         rows = []
         for count, points in FAMILIES:
             row = one_process(folder, count, points)
             row["curve"] = costs_of_curves(folder, points, count)
-            row["pair"] = (row["run"] - row["curve"] * row["curves_read"]) / row["jobs"]
+            row["pair"] = row["run"] / row["jobs"]
             rows.append(row)
+        load = os.getloadavg()[0]
+        workers, task = two_workers(folder, given.rounds)
+        beside = ", with other work beside it" if load > LOAD else ""
         found = {"commit": commit, "date": datetime.date.today().isoformat(), "processor": processor(), "cores": os.cpu_count(),
-                 "families": rows, "plan": plan_of(folder), "workers": two_workers(folder, given.rounds)}
+                 "beside": beside, "families": rows, "plan": plan, "workers": workers, "task": task}
     Path(given.output).write_text(json.dumps(found, indent=1) + "\n")
     print(f"wrote {given.output}")
 

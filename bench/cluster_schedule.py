@@ -4,9 +4,9 @@ with a client, with the costs that cluster_costs.py has measured. Prints the tab
     python3 bench/cluster_schedule.py             prints the tables
     scripts/docs.sh make docs/explanation/size.md puts them into the page
 
-Simulated are: portions as WorkQueue cuts them, workers that take the next one when they are done, one process for each store that
-hands out portions and takes results one after the other, a file system that all read from, workers that die and take their portion
-along. Assumed, and not measured: the numbers in Machine.
+Simulated are: portions as WorkQueue cuts them, workers that take the next one when they are done and keep as many of the curves
+that they have read as their memory holds, one process for each store that hands out portions and takes results one after the
+other, a file system that all read from, workers that die and take their portion along. Assumed, and not measured: the numbers in Machine.
 """
 
 from __future__ import annotations
@@ -25,6 +25,8 @@ COSTS = json.loads((ROOT / "bench" / "CLUSTER.json").read_text())
 
 # As engine/batch/work_queue.cpp.
 MIN_COST, MIN_COST_PER_PROCESS, MAX_COST, MAX_JOBS = 2e-3, 1e-3, 20.0, 50_000
+# As python/lober/_dask_worker.py and engine/batch/queue/curve_cache.cpp: the part of the memory, bytes for a point.
+MEMORY_PART, POINT_BYTES = 0.6, 21
 
 
 @dataclass(frozen=True)
@@ -32,6 +34,8 @@ class Machine:
     """The assumptions."""
 
     threads: int = 16
+    #: Bytes of memory; a thread is a worker with its share.
+    memory: float = 64e9
     #: Bytes a second of the file system that all machines share.
     file_system: float = 5e9
     #: Seconds after which a machine has died, on average: a month.
@@ -104,9 +108,13 @@ def simulate(scene: Scene, machines: int, stores: int, of: Machine = Machine()) 
     costs, chance = measured(scene.points), random.Random(1)
     result = costs["store"] / costs["jobs"] if scene.points < 100_000 else measured(1_000)["store"] / measured(1_000)["jobs"]
     hand_out = measured(1_000)["hand out"] / measured(1_000)["jobs"]
-    task = COSTS["workers"]["task"]["client_seconds"]
+    task = COSTS["task"]["client_seconds"]
     workers = machines * of.threads
     owners = [Coordinator(scene.jobs / stores, max(1, workers // stores), costs["pair"]) for _ in range(stores)]
+    # Any curve of a portion is among those that its worker keeps with the same chance.
+    all_curves = math.sqrt(2 * scene.jobs) if scene.all_pairs else math.inf
+    held = [0.0] * workers
+    most_held = MEMORY_PART * of.memory / of.threads / (POINT_BYTES * scene.points)
     file_free = file_worked = busy = end = 0.0
     portions = 0
     # Events: a worker wants a portion, or, with a number of jobs, has the results of one.
@@ -124,7 +132,8 @@ def simulate(scene: Scene, machines: int, stores: int, of: Machine = Machine()) 
         portions += 1
         # Handed out while the portion before is computed, so that only a busy coordinator is waited for.
         start = max(now, owner.serve(now, task + hand_out * jobs))
-        curves = curves_of(jobs, scene.all_pairs)
+        curves = curves_of(jobs, scene.all_pairs) * (1 - held[number] / all_curves)
+        held[number] = min(held[number] + curves, most_held, all_curves)
         file_free = max(file_free, start) + curves * 16 * scene.points / of.file_system
         file_worked += curves * 16 * scene.points / of.file_system
         seconds = (jobs * costs["pair"] + curves * costs["curve"]) * chance.lognormvariate(-of.spread**2 / 2, of.spread)
@@ -182,15 +191,21 @@ def schedule_table() -> str:
     return "\n".join(lines)
 
 
-def measured_text() -> str:
-    workers, plan = COSTS["workers"], COSTS["plan"]
-    ratios, control = (", ".join(f"{ratio:.2f}" for ratio in workers[name]) for name in ("ratios", "threads_ratios"))
+def ratios_text(times: dict[str, Any]) -> str:
+    ratios, control = (", ".join(f"{ratio:.2f}" for ratio in times[name]) for name in ("ratios", "threads_ratios"))
     return (
-        f"Commit {COSTS['commit']} of {COSTS['date']}, {COSTS['processor']}, {COSTS['cores']} cores, with other work beside it. "
-        f"{workers['jobs']} pairs by one worker and by two, in turns, {min(workers['one']):.2f} s and {min(workers['two']):.2f} s at best: "
-        f"ratios {ratios}. By one thread and two of one process, {min(workers['threads_one']):.2f} s and {min(workers['threads_two']):.2f} s at best: "
-        f"ratios {control}, the most that the machine had to give then. A task of one small job takes "
-        f"{1e3 * workers['task']['seconds']:.2g} ms from hand to hand, {1e3 * workers['task']['client_seconds']:.2g} ms of them processor time of the process "
+        f"{times['jobs']} pairs by one worker and by two, in turns, {min(times['one']):.2f} s and {min(times['two']):.2f} s at best: "
+        f"ratios {ratios}. By one thread and two of one process, {min(times['threads_one']):.2f} s and {min(times['threads_two']):.2f} s at best: "
+        f"ratios {control}, the most that the machine had to give then."
+    )
+
+
+def measured_text() -> str:
+    workers, task, plan = COSTS["workers"], COSTS["task"], COSTS["plan"]
+    return (
+        f"Commit {COSTS['commit']} of {COSTS['date']}, {COSTS['processor']}, {COSTS['cores']} cores{COSTS['beside']}. "
+        f"{' '.join(map(ratios_text, workers))} A task of one small job takes "
+        f"{1e3 * task['seconds']:.2g} ms from hand to hand, {1e3 * task['client_seconds']:.2g} ms of them processor time of the process "
         f"that owns the store. A job that waits takes {plan['plan_bytes']:.0f} bytes of its memory and {1e6 * plan['plan_seconds']:.2g} us."
     )
 

@@ -187,8 +187,9 @@ std::vector<std::string> merge_stores(const std::string& target, const std::vect
   for (const std::string& store : stores) others.push_back(Store::open(store));
   const bool is_new = !std::filesystem::exists(target);
   std::optional<Store> joined(Store::create(target));
+  std::vector<std::size_t> with_damage;
   try {
-    joined->merge(others, progress);
+    with_damage = joined->merge(others, progress);
   } catch (...) {
     const bool is_empty = joined->runs().empty();  // another process may have begun one there
     joined.reset();                                // and SQLite removes its log
@@ -196,8 +197,8 @@ std::vector<std::string> merge_stores(const std::string& target, const std::vect
     throw;
   }
   std::vector<std::string> damaged;
-  for (const Store& other : others) {
-    const std::vector<std::string> lines = survey(other).counts.damaged;
+  for (const std::size_t number : with_damage) {  // read once more, to name the jobs
+    const std::vector<std::string> lines = survey(others[number]).counts.damaged;
     damaged.insert(damaged.end(), lines.begin(), lines.end());
   }
   return damaged;

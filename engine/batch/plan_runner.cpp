@@ -4,16 +4,17 @@
 
 namespace lober::detail {
 PlanRunner::PlanRunner(const Plan& plan, const std::string& manifest_path, std::span<const std::uint32_t> jobs,
-                       const QueueOptions& options, const OutputFolder* outputs)
+                       const QueueOptions& options, const OutputFolder* outputs, KeptCurves* kept)
     : plan_(plan),
       keys_(plan),
       // Keys are made of digests, by all threads.
-      queue_({.threads = options.threads, .memory = options.memory, .digests = true, .concurrent = true}),
+      queue_({.threads = options.threads, .memory = options.memory, .digests = true, .concurrent = true, .kept = kept}),
       ids_(plan.curves.size(), no_curve) {
   const std::vector<std::vector<CurveId>> units = units_of(plan, jobs);
   std::vector<CurveUnit> made(units.size());  // in parallel: each opens its file to see how long it is
-  for_each_block(units.size(), 1,
-                 [&](std::size_t k, std::size_t) { made[k] = unit_of(sources_of(plan, units[k]), manifest_path); });
+  for_each_block(units.size(), 1, [&](std::size_t k, std::size_t) {
+    made[k] = unit_of(sources_of(plan, units[k]), manifest_path, kept);
+  });
   for (std::size_t k = 0; k < units.size(); ++k) {
     const std::vector<CurveId> ids = queue_.add(std::move(made[k]));
     for (std::size_t i = 0; i < ids.size(); ++i) ids_[units[k][i]] = ids[i];

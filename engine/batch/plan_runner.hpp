@@ -16,10 +16,10 @@ namespace lober::detail {
 
 class PlanRunner {
  public:
-  /// `jobs`: all that this runner may be given. The plan and the folder, which may be null if no job writes a file,
-  /// have to outlive it.
+  /// `jobs`: all that this runner may be given. The plan, the folder, which may be null if no job writes a file, and
+  /// the kept curves of other runners, which may be null, have to outlive it.
   PlanRunner(const Plan& plan, const std::string& manifest_path, std::span<const std::uint32_t> jobs,
-             const QueueOptions& options, const OutputFolder* outputs = nullptr);
+             const QueueOptions& options, const OutputFolder* outputs = nullptr, KeptCurves* kept = nullptr);
 
   /// As JobQueue::run, with the numbers of the plan and with keys, `done` being called one at a time, and never again
   /// after it has thrown. May be called several times; curves stay in memory.

@@ -115,9 +115,9 @@ void SharedRun::fail(std::uint32_t job, const std::string& message) {
 }
 
 void SharedRun::take(Result&& result) {
-  // Keys are made here: a failure without its inputs goes by the names, and those are the names of this plan.
-  result.key = keys_(plan_.jobs[result.job], result.digests[0], result.digests[1]);
   const bool failed = result.failed();
+  // A failure without its inputs goes by the names, and those are the names of this plan.
+  if (failed) result.key = keys_(plan_.jobs[result.job], result.digests[0], result.digests[1]);
   ++report_.queue.jobs;
   if (!session_->add(std::move(result)) || failed) ++report_.queue.failed;
   if (broken_) finish("broken off by a failure");  // which throws the reason
@@ -135,7 +135,7 @@ PortionResults run_portion(std::string_view portion, const PortionOptions& optio
   }
   const OutputFolder outputs = output_folder_of(options.output_root, options.manifest_path, plan, options.store);
   const std::vector<std::uint32_t> jobs = jobs_of(plan, {});
-  PlanRunner runner(plan, options.manifest_path, jobs, options.queue, &outputs);
+  PlanRunner runner(plan, options.manifest_path, jobs, options.queue, &outputs, options.kept);
   std::vector<Result> results;
   results.reserve(jobs.size());
   PortionResults done;

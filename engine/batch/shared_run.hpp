@@ -1,6 +1,6 @@
 // A batch whose jobs other processes compute. One process plans, hands out portions of the plan and owns the store; the
 // others turn a portion into results. How portions and results travel, and who is alive, is the business of whoever
-// calls: the Python package does it with Dask (python/lober/batch_dask).
+// calls: the Python package does it with Dask (python/lober/_dask.py).
 //
 //   SharedRun run(read_manifest("job.toml"), options);
 //   for (auto jobs = run.next_portion(8); !jobs.empty(); jobs = run.next_portion(8))
@@ -79,6 +79,8 @@ struct PortionOptions {
   /// Replacements in messages, each text by the one beside it, the first that fits at each position: names of files as
   /// the manifest spells them.
   std::vector<std::pair<std::string, std::string>> names = {};
+  /// Curves of the portions before, and of those that run at the same time; null: each portion reads its own.
+  KeptCurves* kept = nullptr;
 };
 
 /// The results of a portion.

@@ -4,6 +4,7 @@
 #include "lober/overlay/areas.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/call.hpp"
+#include "python/bindings/keywords.hpp"
 
 namespace py = pybind11;
 
@@ -18,14 +19,19 @@ void bind_areas(py::module_& module) {
       .def_readonly("c1_minus_c2", &Areas::c1_minus_c2)
       .def_readonly("c2_minus_c1", &Areas::c2_minus_c1)
       .def_readonly("symmetric_difference", &Areas::symmetric_difference);
-  module.def(
-      "areas_of",
-      [](double c1, double c2, double intersection, double union_, double c1_minus_c2, double c2_minus_c1,
-         double symmetric_difference) {
-        return Areas{c1, c2, intersection, union_, c1_minus_c2, c2_minus_c1, symmetric_difference};
-      },
-      py::arg("c1"), py::arg("c2"), py::arg("intersection"), py::arg("union"), py::arg("c1_minus_c2"),
-      py::arg("c2_minus_c1"), py::arg("symmetric_difference"));
+  module.def("areas_of", [](const py::kwargs& given) {
+    Areas areas;
+    Keywords(given)
+        .take("c1", areas.c1)
+        .take("c2", areas.c2)
+        .take("intersection", areas.intersection)
+        .take("union", areas.union_)
+        .take("c1_minus_c2", areas.c1_minus_c2)
+        .take("c2_minus_c1", areas.c2_minus_c1)
+        .take("symmetric_difference", areas.symmetric_difference)
+        .end();
+    return areas;
+  });
   module.def(
       "signed_area",
       [](const Array& curve) {

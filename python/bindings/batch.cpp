@@ -3,7 +3,7 @@
 
 #include "engine/batch/batch.hpp"
 #include "engine/batch/export/export.hpp"
-#include "lober/batch.hpp"
+#include "python/bindings/batch_options.hpp"
 #include "python/bindings/call.hpp"
 #include "python/bindings/module.hpp"
 
@@ -12,14 +12,8 @@ namespace py = pybind11;
 namespace lober::python {
 namespace {
 
-using lober::detail::Manifest;
 using lober::detail::Plan;
 using lober::detail::Store;
-
-// A text is the manifest itself; `path` then names it in messages, and names of files are relative to its folder.
-Manifest manifest_of(const std::string& path, const std::optional<std::string>& text) {
-  return text ? lober::detail::parse_manifest(*text, path) : lober::detail::read_manifest(path);
-}
 
 std::string text_of(const QueueProgress& progress) {
   std::string text = std::to_string(progress.done) + " of " + std::to_string(progress.jobs) + " jobs";
@@ -41,17 +35,11 @@ py::dict dict_of_report(const BatchReport& report) {
   return parts;
 }
 
-py::dict run_manifest(const std::string& path, const std::optional<std::string>& text, const std::string& store,
-                      std::pair<std::size_t, std::size_t> shard, std::size_t memory, const std::string& output_root,
-                      int threads, const py::object& progress) {
+py::dict run_manifest(const std::string& path, const std::optional<std::string>& text, const py::object& progress,
+                      const py::kwargs& given) {
   const ProgressCallback callback(progress);
-  BatchOptions options;
-  options.store = store;
-  options.shard = {shard.first, shard.second};
-  options.queue.threads = threads;
-  options.queue.memory = memory;
-  options.output_root = output_root;
-  return dict_of_report(long_call(threads, [&] {
+  BatchOptions options = batch_options(given);
+  return dict_of_report(long_call(options.queue.threads, [&] {
     // The progress is called by a thread of its own, which has no scope.
     const CancellationScope* const scope = CancellationScope::current();
     options.progress = [&](const QueueProgress& now) {
@@ -158,8 +146,7 @@ py::dict batch_operations() {
 }  // namespace
 
 void bind_batch(py::module_& module) {
-  module.def("batch_run", run_manifest, py::arg("path"), py::arg("text"), py::arg("store"), py::arg("shard"),
-             py::arg("memory"), py::arg("output_root"), py::arg("threads"), py::arg("progress"));
+  module.def("batch_run", run_manifest, py::arg("path"), py::arg("text"), py::arg("progress"));
   module.def("batch_check", check_manifest, py::arg("path"), py::arg("text"));
   module.def("batch_survey", survey_store, py::arg("store"));
   module.def("batch_export", export_table, py::arg("store"), py::arg("path"), py::arg("format"), py::arg("operation"));

@@ -4,6 +4,7 @@
 #include "lober/overlay/overlap_matrix.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/call.hpp"
+#include "python/bindings/keywords.hpp"
 #include "python/bindings/module.hpp"
 
 namespace py = pybind11;
@@ -58,16 +59,28 @@ py::dict numbers_of(OverlapMatrix& found, bool dense, bool bounds) {
   return numbers;
 }
 
-// (numbers, begin, column, number of pairs overlaid, messages of failures)
+// (numbers, begin, column, number of pairs overlaid, messages of failures). Besides OverlapOptions: whether matrices
+// are dense and have bounds, and threads.
 py::tuple matrix(const Array& points1, const Offsets& offsets1, const std::optional<Array>& points2,
-                 const std::optional<Offsets>& offsets2, const std::vector<std::string>& measures, bool dense,
-                 bool bounds, bool check_simple, bool keep_going, int threads, const py::object& progress) {
+                 const std::optional<Offsets>& offsets2, const py::object& progress, const py::kwargs& given) {
   const ProgressCallback callback(progress);
   OverlapOptions options;
-  options.measures.clear();
-  for (const std::string& measure : measures) options.measures.push_back(overlap_measure(measure));
-  options.check_simple = check_simple;
-  options.keep_going = keep_going;
+  bool dense = true, bounds = false;
+  int threads = 0;
+  Keywords(given)
+      .take_as<std::vector<std::string>>("measures",
+                                         [&](const auto& names) {
+                                           options.measures.clear();
+                                           for (const std::string& measure : names) {
+                                             options.measures.push_back(overlap_measure(measure));
+                                           }
+                                         })
+      .take("check_simple", options.check_simple)
+      .take("keep_going", options.keep_going)
+      .take("dense", dense)
+      .take("bounds", bounds)
+      .take("threads", threads)
+      .end();
   if (callback.given()) options.progress = [&](double fraction) { return callback(fraction); };
   const std::vector<CurveView> first = curves_of(points1, offsets1, "curves_a");
   std::vector<CurveView> second;
@@ -91,9 +104,7 @@ std::vector<std::string> measure_names() {
 
 void bind_overlaps(py::module_& module) {
   module.def("overlap_matrix", matrix, py::arg("points1").noconvert(), py::arg("offsets1").noconvert(),
-             py::arg("points2").noconvert(), py::arg("offsets2").noconvert(), py::arg("measures"), py::arg("dense"),
-             py::arg("bounds"), py::arg("check_simple"), py::arg("keep_going"), py::arg("threads"),
-             py::arg("progress"));
+             py::arg("points2").noconvert(), py::arg("offsets2").noconvert(), py::arg("progress"));
   module.def("overlap_measures", measure_names);
 }
 

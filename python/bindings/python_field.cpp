@@ -173,16 +173,20 @@ class AddressField final : public KeptField {
 };
 
 Section section_from(const py::dict& given) {
-  return {.coordinate = given["coordinate"].cast<int>(),
-          .value = given["value"].cast<double>(),
-          .direction = given["direction"].cast<int>(),
-          .chart_x = given["chart_x"].cast<int>(),
-          .chart_y = given["chart_y"].cast<int>(),
-          .solved = given["solved"].cast<int>(),
-          .bound_coordinate = given["bound_coordinate"].cast<int>(),
-          .bound = given["bound"].cast<double>(),
-          .bound_side = given["bound_side"].cast<int>(),
-          .period = given["period"].cast<double>()};
+  Section section;
+  Keywords(given)
+      .take("coordinate", section.coordinate)
+      .take("value", section.value)
+      .take("direction", section.direction)
+      .take("chart_x", section.chart_x)
+      .take("chart_y", section.chart_y)
+      .take("solved", section.solved)
+      .take("bound_coordinate", section.bound_coordinate)
+      .take("bound", section.bound)
+      .take("bound_side", section.bound_side)
+      .take("period", section.period)
+      .end();
+  return section;
 }
 
 std::vector<FlowState> states_from(const py::list& given) {
@@ -197,23 +201,19 @@ std::vector<FlowState> states_from(const py::list& given) {
   return states;
 }
 
-SystemHandle make_field_system(const std::string& name, const std::string& summary, const ParameterValues& values,
-                               const py::object& field, const py::tuple& window, const py::object& lattice,
-                               const py::object& section, double phase, double energy, double tolerance) {
+SystemHandle make_field_system(const py::object& field, const py::kwargs& given) {
   System described;
-  described.info.name = name;
-  described.info.summary = summary;
-  std::vector<double> numbers;
-  for (const auto& [parameter, value] : values) {
-    described.info.parameters.push_back(parameter_named(parameter, value));
-    numbers.push_back(value);
-  }
-  described.window = rectangle_from(window);
-  described.lattice = point_from(lattice);
-  if (!section.is_none()) described.section = section_from(section.cast<py::dict>());
+  FieldMap map;
   IntegrationOptions options;
-  options.tolerance = tolerance;
-  const FieldMap map{phase, energy};
+  Keywords keywords(given);
+  take_description(keywords, described);
+  keywords.take_as<py::dict>("section", [&](const py::dict& of) { described.section = section_from(of); })
+      .take("phase", map.phase)
+      .take("energy", map.energy)
+      .take("tolerance", options.tolerance)
+      .end();
+  std::vector<double> numbers;
+  for (const Parameter& parameter : described.info.parameters) numbers.push_back(parameter.value);
   if (!py::hasattr(field, "velocities")) {
     auto at_address = std::make_shared<const AddressField>(field, std::move(numbers));
     return std::make_shared<System>(make_system(std::move(at_address), std::move(described), map, options));
@@ -243,9 +243,7 @@ std::vector<double> at_rest(const System& system, const py::object& position) {
 }  // namespace
 
 void bind_python_field(py::module_& module) {
-  module.def("field_system", make_field_system, py::arg("name"), py::arg("summary"), py::arg("values"),
-             py::arg("field"), py::arg("window"), py::arg("lattice"), py::arg("section"), py::arg("phase"),
-             py::arg("energy"), py::arg("tolerance"));
+  module.def("field_system", make_field_system, py::arg("field"));
   module.def("set_saddles", set_saddles, py::arg("system"), py::arg("states"));
   module.def("at_rest", at_rest, py::arg("system"), py::arg("position"));
 }

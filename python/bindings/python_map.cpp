@@ -97,16 +97,14 @@ class PythonMap final : public PlanarMap {
   py::object object_;
 };
 
-SystemHandle make_own_system(const std::string& name, const std::string& summary, const ParameterValues& values,
-                             py::object map, const py::tuple& window, const py::object& lattice,
-                             const py::object& connection) {
+SystemHandle make_own_system(py::object map, const py::kwargs& given) {
   auto system = std::make_shared<System>();
-  system->info.name = name;
-  system->info.summary = summary;
-  for (const auto& [parameter, value] : values) system->info.parameters.push_back(parameter_named(parameter, value));
-  system->window = system->picture = rectangle_from(window);
-  system->lattice = point_from(lattice);
-  if (!connection.is_none()) system->connection = connection_from(connection.cast<py::tuple>());
+  Keywords keywords(given);
+  take_description(keywords, *system);
+  keywords.take_as<py::tuple>("connection",
+                              [&](const py::tuple& parts) { system->connection = connection_from(parts); });
+  keywords.end();
+  system->picture = system->window;
   system->map = std::make_shared<PythonMap>(std::move(map));
   return system;
 }
@@ -115,8 +113,7 @@ SystemHandle make_own_system(const std::string& name, const std::string& summary
 
 void bind_python_map(py::module_& module) {
   module.def("check_cancelled", [] { throw_if_cancelled(); });
-  module.def("own_system", make_own_system, py::arg("name"), py::arg("summary"), py::arg("values"), py::arg("map"),
-             py::arg("window"), py::arg("lattice"), py::arg("connection"));
+  module.def("own_system", make_own_system, py::arg("map"));
 }
 
 }  // namespace lober::python

@@ -1,10 +1,12 @@
-// Batches that other processes compute: lober/batch_dask hands portions to them.
+// Batches that other processes compute: lober/_dask.py hands portions to them.
 #include "engine/batch/shared_run.hpp"
 
 #include <pybind11/stl.h>
 
-#include "lober/batch.hpp"
+#include "engine/batch/queue/kept_curves.hpp"
+#include "python/bindings/batch_options.hpp"
 #include "python/bindings/call.hpp"
+#include "python/bindings/keywords.hpp"
 #include "python/bindings/module.hpp"
 
 namespace py = pybind11;
@@ -12,21 +14,14 @@ namespace py = pybind11;
 namespace lober::python {
 namespace {
 
+using lober::detail::KeptCurves;
 using lober::detail::SharedRun;
 using Jobs = std::vector<std::uint32_t>;
 
 std::unique_ptr<SharedRun> start(const std::string& path, const std::optional<std::string>& text,
-                                 const std::string& store, std::pair<std::size_t, std::size_t> shard,
-                                 const std::string& output_root, int threads) {
-  BatchOptions options;
-  options.store = store;
-  options.shard = {shard.first, shard.second};
-  options.output_root = output_root;
-  options.queue.threads = threads;
-  return long_call(0, [&] {
-    return std::make_unique<SharedRun>(
-        text ? lober::detail::parse_manifest(*text, path) : lober::detail::read_manifest(path), options);
-  });
+                                 const py::kwargs& given) {
+  const BatchOptions options = batch_options(given);
+  return long_call(0, [&] { return std::make_unique<SharedRun>(manifest_of(path, text), options); });
 }
 
 py::dict report(const SharedRun& run) {
@@ -41,18 +36,35 @@ py::dict report(const SharedRun& run) {
 }
 
 // The results, the points of the curves of all jobs, and the seconds of the threads in jobs.
-py::tuple run_portion(const std::string& portion, const std::string& manifest_path, const std::string& files_root,
-                      const std::string& output_root, const std::string& store, int threads, std::size_t memory,
-                      std::vector<std::pair<std::string, std::string>> names) {
-  const lober::detail::PortionResults done = long_call(threads, [&] {
-    return lober::detail::run_portion(portion, {.manifest_path = manifest_path,
-                                                .files_root = files_root,
-                                                .output_root = output_root,
-                                                .store = store,
-                                                .queue = {.threads = threads, .memory = memory},
-                                                .names = std::move(names)});
-  });
+py::tuple run_portion(const std::string& portion, const std::string& manifest_path, const py::kwargs& given) {
+  lober::detail::PortionOptions options;
+  options.manifest_path = manifest_path;
+  std::shared_ptr<KeptCurves> kept;  // until the end of the call, whoever lets go of it meanwhile
+  Keywords(given)
+      .take("files_root", options.files_root)
+      .take("output_root", options.output_root)
+      .take("store", options.store)
+      .take("threads", options.queue.threads)
+      .take("memory", options.queue.memory)
+      .take("names", options.names)
+      .take("kept", kept)
+      .end();
+  options.kept = kept.get();
+  const lober::detail::PortionResults done =
+      long_call(options.queue.threads, [&] { return lober::detail::run_portion(portion, options); });
   return py::make_tuple(py::bytes(done.results), done.queue.points, done.queue.operation_seconds);
+}
+
+py::dict counts_of(const KeptCurves& kept) {
+  const KeptCurves::Counts counts = kept.counts();
+  py::dict parts;
+  parts["curves"] = counts.curves;
+  parts["idle_bytes"] = counts.idle_bytes;
+  parts["occupied_bytes"] = counts.occupied_bytes;
+  parts["found"] = counts.found;
+  parts["kept"] = counts.kept;
+  parts["dropped"] = counts.dropped;
+  return parts;
 }
 
 }  // namespace
@@ -77,10 +89,12 @@ void bind_shared_run(py::module_& module) {
           py::arg("jobs"), py::arg("results"))
       .def("fail", &SharedRun::fail, py::arg("job"), py::arg("message"))
       .def("finish", &SharedRun::finish, py::arg("how"), py::call_guard<py::gil_scoped_release>());
-  module.def("start_shared_run", start, py::arg("path"), py::arg("text"), py::arg("store"), py::arg("shard"),
-             py::arg("output_root"), py::arg("threads"));
-  module.def("run_portion", run_portion, py::arg("portion"), py::arg("manifest_path"), py::arg("files_root"),
-             py::arg("output_root"), py::arg("store"), py::arg("threads"), py::arg("memory"), py::arg("names"));
+  py::class_<KeptCurves, std::shared_ptr<KeptCurves>>(module, "KeptCurves")
+      .def("set_budget", &KeptCurves::set_budget, py::arg("budget"), py::call_guard<py::gil_scoped_release>())
+      .def_property_readonly("counts", counts_of);
+  module.def("kept_curves", [] { return std::make_shared<KeptCurves>(); });
+  module.def("start_shared_run", start, py::arg("path"), py::arg("text"));
+  module.def("run_portion", run_portion, py::arg("portion"), py::arg("manifest_path"));
 }
 
 }  // namespace lober::python

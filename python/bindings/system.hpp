@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lober/dynamics/systems.hpp"
+#include "python/bindings/keywords.hpp"
 
 namespace lober::python {
 
@@ -15,12 +16,9 @@ using SystemHandle = std::shared_ptr<System>;
 /// Throws UsageError for a system without a planar map.
 [[nodiscard]] const PlanarMap& map_of(const System& system);
 
-/// A parameter of a system of one's own; that called eps is the size of its perturbation.
-[[nodiscard]] inline Parameter parameter_named(const std::string& name, double value) {
-  Parameter parameter{name, value, ""};
-  parameter.perturbation = name == "eps";
-  return parameter;
-}
+/// The common members of systems of one's own: name, summary, values of parameters (that called eps is the size of the
+/// perturbation), window and lattice.
+void take_description(Keywords& given, System& system);
 
 /// (from, u_direction, to, s_direction, bip or None, corners), points as pairs; lober/_systems.py has the class.
 [[nodiscard]] Connection connection_from(const pybind11::tuple& parts);

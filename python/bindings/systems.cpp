@@ -107,6 +107,21 @@ py::tuple corners_of(const Rectangle& rectangle) {
   return py::make_tuple(rectangle.min_x, rectangle.min_y, rectangle.max_x, rectangle.max_y);
 }
 
+void take_description(Keywords& given, System& system) {
+  given.take("name", system.info.name)
+      .take("summary", system.info.summary)
+      .take_as<ParameterValues>("values",
+                                [&](const ParameterValues& values) {
+                                  for (const auto& [name, value] : values) {
+                                    Parameter parameter{name, value, ""};
+                                    parameter.perturbation = name == "eps";
+                                    system.info.parameters.push_back(parameter);
+                                  }
+                                })
+      .take_as<py::tuple>("window", [&](const py::tuple& corners) { system.window = rectangle_from(corners); })
+      .take_as<py::tuple>("lattice", [&](const py::tuple& shift) { system.lattice = point_from(shift); });
+}
+
 Connection connection_from(const py::tuple& parts) {
   Connection connection{point_from(parts[0]), point_from(parts[1]), point_from(parts[2]), point_from(parts[3])};
   if (!parts[4].is_none()) connection.bip = point_from(parts[4]);

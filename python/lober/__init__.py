@@ -47,6 +47,7 @@ from ._systems import Connection, Parameter, System, SystemInfo, system, systems
 from ._tangle import Boundary, Lobes, Tangle, TangleErrors
 from ._images import image
 from ._measured import Measured
+from ._melnikov import Melnikov
 from ._operation import call
 from ._transport import (
     Bottleneck,
@@ -84,6 +85,7 @@ __all__ = [
     "Lobes",
     "Manifold",
     "Measured",
+    "Melnikov",
     "NotSimpleError",
     "Overlay",
     "Page",

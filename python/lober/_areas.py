@@ -65,7 +65,7 @@ def _areas_equal(self: Areas, other: Any) -> Any:
 
 
 def _areas_of(numbers: tuple[float, ...]) -> Areas:
-    return _lober.areas_of(*numbers)
+    return _lober.areas_of(**dict(zip(AREAS, numbers)))
 
 
 def _areas_reduce(self: Areas) -> tuple[Any, ...]:

@@ -16,7 +16,7 @@ from typing import Any, Callable, Optional
 
 from . import _lober
 from ._dask_inputs import Scattered
-from ._dask_worker import Done, Unfit, Work, compute, forget
+from ._dask_worker import Done, Portion, Unfit, Work, compute, rest
 from .errors import DataError, UsageError
 
 Callback = Optional[Callable[[Optional[float], Optional[str]], Any]]
@@ -57,31 +57,23 @@ class Workers:
 
 
 def run_batch(
-    client: Any,
-    path: str,
-    text: str | None,
-    store: str,
-    shard: tuple[int, int],
-    memory: int,
-    output_root: str,
-    threads: int,
-    scatter: bool,
-    progress: Callback,
+    client: Any, path: str, text: str | None, options: dict[str, Any], scatter: bool, progress: Callback
 ) -> dict[str, Any]:
-    """As _lober.batch_run, by the workers of `client`; `memory` and `threads` are those of a task."""
+    """As _lober.batch_run, by the workers of `client`; `memory` and `threads` of the options are those of a task."""
     require_client(client)
     begin = time.monotonic()
-    threads = threads or 1
-    shared = _lober.start_shared_run(path, text, store, shard, output_root, threads)
+    options = {**options, "threads": options["threads"] or 1}
+    output_root = options["output_root"]
+    shared = _lober.start_shared_run(path, text, **options)
     parent = os.path.dirname(path)
     work = Work(
         version=_lober.__version__,
         folder=os.path.abspath(parent or "."),
         shown_folder=parent + "/" if parent and not parent.endswith("/") else parent,
-        store=os.path.abspath(store),
+        store=os.path.abspath(options["store"]),
         output_root=os.path.abspath(output_root) if output_root else "",
-        threads=threads,
-        memory=memory,
+        threads=options["threads"],
+        memory=options["memory"],
         run=uuid.uuid4().hex,
     )
     run = SharedBatch(client, shared, work, scatter, progress)
@@ -149,8 +141,7 @@ class SharedBatch:
         futures = [task.future for task in self._under_way]
         if futures:
             self._client.cancel(futures, force=True)
-        if self._inputs is not None:
-            self._client.run(forget, self._work.run, on_error="ignore")
+        self._client.run(rest, self._work.run, on_error="ignore")
 
     def _look(self) -> None:
         """Asks the scheduler who is there. A client whose scheduler is gone tries to find it for a while and then closes."""
@@ -198,11 +189,10 @@ class SharedBatch:
         files = [os.path.join(self._work.folder, file) for file in self._shared.files(task.jobs)]
         files = [file for file in files if os.path.exists(file)]  # without the others jobs fail, here as there
         contents = self._inputs.of(files) if self._inputs is not None else None
-        task.future = self._client.submit(
-            compute,
+        task.future = _submitted(
+            self._client,
             self._work,
-            self._shared.encoded(task.jobs),
-            files,
+            Portion(self._shared.encoded(task.jobs), files),
             contents,
             pure=False,
             retries=RETRIES,
@@ -258,7 +248,8 @@ class SharedBatch:
                 raise UsageError(
                     f"the worker {outcome.worker} {outcome.why}, and this is lober {self._work.version}; install the same version"
                 )
-            self._workers.unfit[outcome.worker] = outcome.why
+            if os.path.exists(outcome.missing):  # else it has gone here too, since it was asked for, and its jobs fail
+                self._workers.unfit[outcome.worker] = outcome.why
             self._waiting.append(task)
             return
         self._shared.add(task.jobs, outcome.results)
@@ -279,6 +270,11 @@ class SharedBatch:
         else:
             count = getattr(error, "allowed_failures", 0) + 1
             self._shared.fail(task.jobs[0], f"every worker that ran it alone ended ({count} tried)")
+
+
+def _submitted(client: Any, *given: Any, **how: Any) -> Any:
+    """A function of its own, as Dask parses the source of the one that submits, for its dashboard, each time."""
+    return client.submit(compute, *given, **how)
 
 
 def _killed() -> type[BaseException]:

@@ -34,12 +34,10 @@ class Tile:
     one_set: bool = False
 
 
-def compute(
-    block_a: CurveSet, block_b: CurveSet | None, measures: list[str], dense: bool, bounds: bool, check_simple: bool
-) -> Found:
+def compute(block_a: CurveSet, block_b: CurveSet | None, options: dict[str, Any]) -> Found:
     """A tile, by a worker; curves that cannot be used are in its messages."""
     points, offsets = block_b if block_b is not None else (None, None)
-    found: Found = _lober.overlap_matrix(*block_a, points, offsets, measures, dense, bounds, check_simple, True, 1, None)
+    found: Found = _lober.overlap_matrix(*block_a, points, offsets, None, **options)
     return found
 
 
@@ -47,29 +45,27 @@ def overlap_matrix(
     client: Any,
     first: CurveSet,
     second: CurveSet | None,
-    measures: list[str],
-    dense: bool,
-    bounds: bool,
-    check_simple: bool,
-    keep_going: bool,
+    options: dict[str, Any],
     progress: Callable[[float | None, str | None], Any] | None,
 ) -> Found:
-    """As _lober.overlap_matrix, with the same bits."""
+    """As _lober.overlap_matrix, with its options but for threads and the same bits."""
     require_client(client)
+    measures = options["measures"]
     for curves, name in ((first, "curves_a"), (second or first, "curves_b")):
         if (np.diff(curves[1]) < 0).any() or not 0 <= curves[1][0] <= curves[1][-1] <= len(curves[0]):
             raise UsageError(f"{name}: offsets ascend from 0 to the number of points, {len(curves[0])}")
     slots = max(1, sum(client.nthreads().values()))
     tiles = _tiles(len(first[1]) - 1, None if second is None else len(second[1]) - 1, TILES * slots)
     asked = list(dict.fromkeys(measures + [MIRRORED.get(one, one) for one in measures])) if second is None else measures
-    found = _computed(client, first, second, tiles, (asked, dense, bounds, check_simple), progress)
+    of_tile = {**options, "measures": asked, "keep_going": True, "threads": 1}
+    found = _computed(client, first, second, tiles, of_tile, progress)
     numbered = (line for tile, one in zip(tiles, found) for line in _numbered(one[4], tile, second is None))
     failures = sorted(set(numbered), key=_order)
-    if failures and not keep_going:
+    if failures and not options["keep_going"]:
         raise DataError(failures[0])
     shape = (len(first[1]) - 1, len((second or first)[1]) - 1)
     pairs = sum(one[3] for one in found)
-    if dense:
+    if options["dense"]:
         return _dense(tiles, found, measures, shape, second is None), np.zeros(0), np.zeros(0), pairs, failures
     numbers, begin, column = _sparse(tiles, found, measures, shape, second is None)
     return numbers, begin, column, pairs, failures
@@ -101,7 +97,7 @@ def _block(curves: CurveSet, part: range) -> CurveSet:
 
 
 def _computed(
-    client: Any, first: CurveSet, second: CurveSet | None, tiles: list[Tile], how: tuple[Any, ...], progress: Any
+    client: Any, first: CurveSet, second: CurveSet | None, tiles: list[Tile], options: dict[str, Any], progress: Any
 ) -> list[Found]:
     import distributed
 
@@ -117,7 +113,7 @@ def _computed(
         futures = {}
         for number in missing:
             block_b = None if tiles[number].one_set else blocks_b[tiles[number].columns]
-            futures[client.submit(compute, blocks_a[tiles[number].rows], block_b, *how, pure=False)] = number
+            futures[client.submit(compute, blocks_a[tiles[number].rows], block_b, options, pure=False)] = number
         try:
             for future in completed(list(futures), loop=client.loop):
                 if future.status == "error":

@@ -33,6 +33,7 @@ class Areas:
     def __eq__(self, other: object) -> bool: ...
 
 def areas_of(
+    *,
     c1: float,
     c2: float,
     intersection: float,
@@ -119,13 +120,14 @@ def overlap_matrix(
     offsets1: NDArray[np.int64],
     points2: _Points | None,
     offsets2: NDArray[np.int64] | None,
-    measures: list[str],
-    dense: bool,
-    bounds: bool,
-    check_simple: bool,
-    keep_going: bool,
-    threads: int,
     progress: _Progress,
+    *,
+    measures: list[str] = ...,
+    check_simple: bool = ...,
+    keep_going: bool = ...,
+    dense: bool = ...,
+    bounds: bool = ...,
+    threads: int = ...,
 ) -> tuple[
     dict[str, tuple[NDArray[np.float64], NDArray[np.float64] | None]], NDArray[np.int64], NDArray[np.uint32], int, list[str]
 ]: ...
@@ -188,25 +190,27 @@ class System:
 def systems() -> list[tuple[str, str, list[tuple[Any, ...]]]]: ...
 def system(name: str, values: list[tuple[str, float]], tolerance: float) -> System: ...
 def own_system(
-    name: str,
-    summary: str,
-    values: list[tuple[str, float]],
     map: Any,
+    *,
+    name: str,
+    summary: str = ...,
+    values: list[tuple[str, float]] = ...,
     window: _Box,
-    lattice: _Pair,
-    connection: tuple[Any, ...] | None,
+    lattice: _Pair = ...,
+    connection: tuple[Any, ...] | None = ...,
 ) -> System: ...
 def field_system(
-    name: str,
-    summary: str,
-    values: list[tuple[str, float]],
     field: Any,
+    *,
+    name: str,
+    summary: str = ...,
+    values: list[tuple[str, float]] = ...,
     window: _Box,
-    lattice: _Pair,
-    section: dict[str, Any] | None,
-    phase: float,
-    energy: float,
-    tolerance: float,
+    lattice: _Pair = ...,
+    section: dict[str, Any] | None = ...,
+    phase: float = ...,
+    energy: float = ...,
+    tolerance: float = ...,
 ) -> System: ...
 def set_saddles(system: System, states: list[list[float]]) -> None: ...
 def at_rest(system: System, position: _Pair) -> list[float]: ...
@@ -242,12 +246,13 @@ def with_connection(system: System, connection: tuple[Any, ...]) -> System: ...
 def batch_run(
     path: str,
     text: str | None,
-    store: str,
-    shard: tuple[int, int],
-    memory: int,
-    output_root: str,
-    threads: int,
     progress: _Progress,
+    *,
+    store: str,
+    shard: tuple[int, int] = ...,
+    memory: int = ...,
+    output_root: str = ...,
+    threads: int = ...,
 ) -> dict[str, Any]: ...
 class SharedRun:
     def __init__(self, *args: Any, **kwargs: Any) -> None: ...
@@ -264,18 +269,34 @@ class SharedRun:
     def fail(self, job: int, message: str) -> None: ...
     def finish(self, how: str) -> None: ...
 
+class KeptCurves:
+    def __init__(self, *args: Any, **kwargs: Any) -> None: ...
+    def set_budget(self, budget: int) -> None: ...
+    @property
+    def counts(self) -> dict[str, int]: ...
+
+def kept_curves() -> KeptCurves: ...
 def start_shared_run(
-    path: str, text: str | None, store: str, shard: tuple[int, int], output_root: str, threads: int
+    path: str,
+    text: str | None,
+    *,
+    store: str,
+    shard: tuple[int, int] = ...,
+    memory: int = ...,
+    output_root: str = ...,
+    threads: int = ...,
 ) -> SharedRun: ...
 def run_portion(
     portion: bytes,
     manifest_path: str,
-    files_root: str,
-    output_root: str,
-    store: str,
-    threads: int,
-    memory: int,
-    names: list[tuple[str, str]],
+    *,
+    files_root: str = ...,
+    output_root: str = ...,
+    store: str = ...,
+    threads: int = ...,
+    memory: int = ...,
+    names: list[tuple[str, str]] = ...,
+    kept: KeptCurves = ...,
 ) -> tuple[bytes, int, float]: ...
 def batch_check(path: str, text: str | None) -> dict[str, Any]: ...
 def batch_survey(store: str) -> tuple[dict[str, Any], list[tuple[str, str, int]]]: ...

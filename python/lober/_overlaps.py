@@ -60,6 +60,8 @@ def overlap_matrix(
     client: a cluster of Dask, whose workers compute tiles of the matrix, each with one thread, from curves that are sent to
         them; the matrix has to fit here. The same bits
     """
+    if not isinstance(what, Iterable):
+        raise TypeError(f"what is a name or a list of names, not {type(what).__name__}")
     names = [what] if isinstance(what, str) else list(what)
     measures = list(dict.fromkeys(_measure_of(name, sparse) for name in names))
     first = curve_set_of(curves_a, "curves_a")
@@ -67,15 +69,18 @@ def overlap_matrix(
     points2, offsets2 = second or (None, None)
     has_bounds = any(name.startswith(BOUND) for name in names)
     threads = threads_of(threads)
+    options: dict[str, Any] = {
+        "measures": measures,
+        "dense": not sparse,
+        "bounds": has_bounds,
+        "check_simple": check_simple,
+        "keep_going": keep_going,
+    }
     with watching(progress, "overlap_matrix") as callback:
         if client is None:
-            found_here = _lober.overlap_matrix(
-                *first, points2, offsets2, measures, not sparse, has_bounds, check_simple, keep_going, threads, callback
-            )
+            found_here = _lober.overlap_matrix(*first, points2, offsets2, callback, threads=threads, **options)
         else:
-            found_here = _dask_overlaps.overlap_matrix(
-                client, first, second, measures, not sparse, has_bounds, check_simple, keep_going, callback
-            )
+            found_here = _dask_overlaps.overlap_matrix(client, first, second, options, callback)
         numbers, begin, column, _, failures = found_here
     if failures:
         warnings.warn(f"{len(failures)} failures, the first: {failures[0]}", IncompleteWarning, stacklevel=2)

@@ -219,7 +219,15 @@ def own_system(
     x0, y0, x1, y1 = (number_of(entry, f"system {name}: window") for entry in window)
     shift = pair_of(lattice, f"system {name}: lattice")
     require_consistent(name, own, (x0, y0, x1, y1), shift)
-    made = _lober.own_system(name, summary_of(function), list(values.items()), own, (x0, y0, x1, y1), shift, parts)
+    made = _lober.own_system(
+        own,
+        name=name,
+        summary=summary_of(function),
+        values=list(values.items()),
+        window=(x0, y0, x1, y1),
+        lattice=shift,
+        connection=parts,
+    )
     return System(made, ())
 
 
@@ -254,7 +262,14 @@ def flow_system(
     # Whole periods change nothing but rounding.
     begin = phase - np.floor(phase) if abs(phase) >= 1 else phase
     made = _lober.field_system(
-        name, summary_of(function), list(values.items()), field, (x0, y0, x1, y1), shift, None, float(begin), 0.0, tolerance
+        field,
+        name=name,
+        summary=summary_of(function),
+        values=list(values.items()),
+        window=(x0, y0, x1, y1),
+        lattice=shift,
+        phase=float(begin),
+        tolerance=tolerance,
     )
     if connection is not None:
         made.connect(connection._parts())

@@ -142,16 +142,15 @@ def _of_function(function: Any, options: dict[str, Any]) -> Family:
             title, n, velocities(values), hamiltonians(values), 0.0, extent_of(title, box), jacobians(values)
         )
         made = _lober.field_system(
-            title,
-            summary_of(function),
-            list(values.items()),
             field,
-            box,
-            shift,
-            where.as_dict(),
-            0.0,
-            values.get("energy", 0.0),
-            tolerance,
+            name=title,
+            summary=summary_of(function),
+            values=list(values.items()),
+            window=box,
+            lattice=shift,
+            section=where.as_dict(),
+            energy=values.get("energy", 0.0),
+            tolerance=tolerance,
         )
         saddles = _value(options["saddles"], values)
         return _complete(made, saddles, _value(options["connection"], values), title)
@@ -208,9 +207,16 @@ def _of_expressions(given: Any, options: dict[str, Any]) -> Family:
 
             h = None if form.h is None else hamiltonian
             field = field_of(title, len(symbols), velocity, h, 0.0, extent_of(title, box), jacobian)
-            at = values.get("energy", 0.0)
             made = _lober.field_system(
-                title, "of expressions", list(values.items()), field, box, shift, where.as_dict(), 0.0, at, tolerance
+                field,
+                name=title,
+                summary="of expressions",
+                values=list(values.items()),
+                window=box,
+                lattice=shift,
+                section=where.as_dict(),
+                energy=values.get("energy", 0.0),
+                tolerance=tolerance,
             )
             return complete(made, values)
 

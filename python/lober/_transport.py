@@ -14,6 +14,7 @@ from ._areas import html_table
 from ._arrays import Points
 from ._call import Run
 from ._measured import Measured
+from ._melnikov import Melnikov
 from ._result import Result
 from ._systems import Connection, Pair, System
 from ._tangle import Tangle
@@ -121,6 +122,8 @@ class Transport(Result):
     by_particles: Measured
     #: Iterates of the map in one step: 2 where both multipliers of a saddle are negative.
     iterates_a_step: int
+    #: Melnikov's function, where it was asked for.
+    melnikov: Melnikov | None
     remarks: list[str]
     agreement: Agreement
 
@@ -143,6 +146,7 @@ class Transport(Result):
             Measured(*steps["T_ij_by_boundaries"]),
             Measured(*(counted or (np.full_like(steps["T_ij"][0], np.nan),) * 2)),
             found["iterates_a_step"],
+            None if found["melnikov"] is None else Melnikov._of(found["melnikov"]),
             found["remarks"],
             run.agreement,
         )

@@ -99,11 +99,13 @@ def run(
     folder = None
     if store is None:
         if text is None:
+            if os.path.isdir(path):
+                raise DataError(f"{path}: is a folder, not a manifest")
             store = Path(path).with_suffix(".results")
         else:
             folder = tempfile.mkdtemp(prefix="lober-")
             store = os.path.join(folder, "batch.results")
-    found = Store(os.fspath(store), folder=folder)
+    found = Store(_path_of(store, "store"), folder=folder)
     try:
         number, of = map(operator.index, shard)
     except (TypeError, ValueError):
@@ -115,13 +117,19 @@ def run(
         raise UsageError(f"memory is a number of bytes, not {memory}")
     threads = threads_of(threads)
     with watching(progress, "batch") as callback, _explained(text):
-        given = (path, text, found.path, (number - 1, of), int(bytes_given), os.fspath(output_root), threads)
+        options: dict[str, Any] = {
+            "store": found.path,
+            "shard": (number - 1, of),
+            "memory": int(bytes_given),
+            "output_root": _path_of(output_root, "output_root"),
+            "threads": threads,
+        }
         if client is None:
             if scatter:
                 raise UsageError("scatter is for the workers of a client")
-            parts = _lober.batch_run(*given, callback)
+            parts = _lober.batch_run(path, text, callback, **options)
         else:
-            parts = _dask.run_batch(client, *given, scatter, callback)
+            parts = _dask.run_batch(client, path, text, options, scatter, callback)
     found.report = Report._of(parts)
     if parts["stopped"]:
         raise Cancelled(
@@ -144,7 +152,7 @@ def run(
 def open(store: str | os.PathLike[str]) -> Store:
     """A store that `run` or `lober batch run` has written. Raises DataError where it is not one."""
     _require_batches()
-    found = Store(os.fspath(store))
+    found = Store(_path_of(store, "store"))
     _lober.batch_runs(found.path)
     return found
 
@@ -161,10 +169,10 @@ def merge(target: str | os.PathLike[str], stores: Iterable[Store | str | os.Path
     _require_batches()
     if isinstance(stores, (str, os.PathLike, Store)):
         raise TypeError("stores is a list of stores, not one")
-    paths = [one.path if isinstance(one, Store) else os.fspath(one) for one in stores]
+    paths = [one.path if isinstance(one, Store) else _path_of(one, "stores") for one in stores]
     if not paths:
         raise UsageError("stores is empty; give the stores whose results are copied")
-    for line in _lober.batch_merge(os.fspath(target), paths):
+    for line in _lober.batch_merge(_path_of(target, "target"), paths):
         warnings.warn(f"{line}; it was left out", IncompleteWarning, stacklevel=2)
     return open(target)
 
@@ -186,6 +194,13 @@ def _given(manifest: Manifest) -> tuple[str, str | None]:
             raise UsageError("a manifest is the name of a file or a dictionary, not a text in TOML")
         return os.fspath(manifest), None
     raise TypeError(f"a manifest is the name of a file or a dictionary, not {type(manifest).__name__}")
+
+
+def _path_of(given: Any, name: str) -> str:
+    try:
+        return os.fsdecode(given)
+    except TypeError:
+        raise TypeError(f"{name} is a path, not {type(given).__name__}") from None
 
 
 class _explained:

@@ -247,3 +247,18 @@ def test_exports_in_netcdf_say_what_columns_are(curves: Path) -> None:
             assert variable[:].tobytes() == np.asarray(store)[column.name].astype(">f8").tobytes()
         assert any(column.unit for column in columns)
         assert not hasattr(file.variables["job"], "units")
+
+
+def test_paths_of_a_wrong_type(tmp_path):
+    manifest = {"operation": "overlay", "curves": [f"{tmp_path}/c0.npy", f"{tmp_path}/c1.npy"]}
+    for k in range(2):
+        lober.write(tmp_path / f"c{k}.npy", np.exp(1j * np.arange(6)) + k)
+    with pytest.raises(TypeError, match="store is a path, not int"):
+        lober.batch.run(manifest, 3)
+    with pytest.raises(TypeError, match="output_root is a path, not NoneType"):
+        lober.batch.run(manifest, output_root=None)
+    with pytest.raises(TypeError, match="target is a path, not NoneType"):
+        lober.batch.merge(None, [tmp_path / "a"])
+    with pytest.raises(lober.DataError, match="is a folder, not a manifest"):
+        lober.batch.run(tmp_path)
+    assert lober.batch.run(manifest, os.fsencode(tmp_path / "s")).path == str(tmp_path / "s")

@@ -8,7 +8,9 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -103,6 +105,18 @@ class during:
             raise self._error
 
 
+# As if portions took longer, so that there is time to disturb them.
+SLOW = """
+import time
+import lober._dask_worker as tasks
+tasks.plain = getattr(tasks, "plain", tasks.compute)  # a preload runs twice
+def compute(*given):
+    time.sleep(0.2)
+    return tasks.plain(*given)
+tasks.compute = compute
+"""
+
+
 def test_same_bytes_as_one_process(cluster, tmp_path, monkeypatch):
     cluster.start_workers(2)
     manifest = family(tmp_path, PAIRS)
@@ -130,16 +144,83 @@ def test_same_bytes_as_one_process(cluster, tmp_path, monkeypatch):
             assert exported(one) == exported(two)
 
 
-# As if portions took longer, so that there is time to disturb them.
-SLOW = """
-import time
-import lober._dask_worker as tasks
-tasks.plain = getattr(tasks, "plain", tasks.compute)  # a preload runs twice
-def compute(*given):
-    time.sleep(0.2)
-    return tasks.plain(*given)
-tasks.compute = compute
-"""
+def test_workers_keep_curves(cluster, tmp_path):
+    cluster.start_workers(2)
+    manifest = family(tmp_path, PAIRS, count=60, points=2000, bad=False)
+    time.sleep(2.1)  # a younger file is read each time
+    kept_counts = lambda: sys.modules["lober._dask_worker"].KEPT.counts  # noqa: E731, which Dask sends by value
+    with cluster.client(2) as client:
+        first = exported(shared(manifest, client, "first"))
+        for store in ("second", "third"):
+            assert exported(shared(manifest, client, store)) == first
+        # Each worker has read each curve once at most, for all portions of three runs.
+        both = list(client.run(kept_counts).values())
+        for counts in both:
+            assert counts["kept"] == counts["curves"] <= 60
+            assert counts["occupied_bytes"] == 0 and counts["dropped"] == 0
+        assert sum(counts["found"] for counts in both) > sum(counts["kept"] for counts in both)
+        # Of the same size, and in place of the other.
+        lober.write(tmp_path / "c003.npy", flower(2000, 77))
+        os.replace(tmp_path / "c004.npy", tmp_path / "c005.npy")
+        lober.write(tmp_path / "c004.npy", flower(2000, 78))
+        changed = exported(shared(manifest, client, "fourth"))
+        assert changed != first and changed == expected(manifest)
+        # In little memory: room for two curves.
+        memory = 2 * 2000 * 21
+        assert exported(shared(manifest, client, "little", memory=memory)) == changed
+        for counts in client.run(kept_counts).values():
+            assert counts["idle_bytes"] <= memory and counts["dropped"] > 0 and counts["occupied_bytes"] == 0
+
+
+def test_files_that_vanish(cluster, tmp_path):
+    """Jobs fail that have not begun, as in one process, and the rest goes on."""
+    cluster.start_workers(2, preload=SLOW)
+    manifest = family(tmp_path, PAIRS, count=60, points=3000, bad=False)
+    gone = []
+
+    def vanish(fraction, text):
+        if fraction > 0.1 and not gone:
+            gone.append([(tmp_path / f"c{k:03}.npy").unlink() for k in (3, 58)])
+        return True
+
+    with cluster.client(2) as client:
+        store = shared(manifest, client, progress=vanish)
+    assert gone and store.report.run == 1770
+    # Failures of a curve that others have read before are counted and not stored.
+    assert 0 < store.report.failed <= 117 and store.jobs.failed <= store.report.failed
+    assert {one.message.split(": ")[-1] for one in store.failures} <= {"No such file or directory"}
+
+
+@pytest.mark.parametrize("limit, left", [(10**9, 9), (None, 0)])
+def test_curves_at_rest(tmp_path, monkeypatch, limit, left):
+    """Between runs a worker keeps curves in a part of its memory, none if that has no limit."""
+    from lober import _dask_worker as tasks
+    from lober import _lober
+
+    monkeypatch.setattr(tasks, "KEPT", None)
+    manifest = family(tmp_path, SINGLES, count=9, bad=False)
+    time.sleep(2.1)  # as above
+    run = _lober.start_shared_run(str(manifest), None, store=str(tmp_path / "s"), threads=1)
+    _lober.run_portion(run.encoded(range(run.pending)), str(manifest), threads=1, kept=tasks._kept(0))
+    assert tasks.KEPT.counts["curves"] == 9
+    memory = SimpleNamespace(memory_limit=limit)
+    tasks.rest("none", SimpleNamespace(local_directory=str(tmp_path), memory_manager=memory))
+    assert tasks.KEPT.counts["curves"] == left
+
+
+def test_two_runs_at_once_share_workers(cluster, tmp_path):
+    cluster.start_workers(2)
+    manifest = family(tmp_path, PAIRS, count=60, points=2000)
+    whole = expected(manifest)
+    with cluster.client(2) as client, cluster.client(2) as other:
+        stores = []
+        with during(lambda: stores.append(shared(manifest, other, "other"))):
+            stores.append(shared(manifest, client))
+        assert [exported(store) for store in stores] == [whole, whole]
+        # Into one store: one of them is told, or finds the results of the other one.
+        with during(lambda: stores.append(shared(manifest, other, "both"))):
+            stores.append(shared(manifest, client, "both"))
+        assert exported(stores[-1]) == whole
 
 
 def test_workers_killed_at_random(cluster, tmp_path):
@@ -227,10 +308,10 @@ POISON = """
 import os
 import lober._dask_worker as tasks
 tasks.plain = getattr(tasks, "plain", tasks.compute)  # a preload runs twice
-def compute(work, portion, files, contents):
-    if any(file.endswith("c007.npy") for file in files):
+def compute(work, portion, contents):
+    if any(file.endswith("c007.npy") for file in portion.files):
         os._exit(9)
-    return tasks.plain(work, portion, files, contents)
+    return tasks.plain(work, portion, contents)
 tasks.compute = compute
 """
 

@@ -82,6 +82,21 @@ def test_melnikov():
     found = lober.sweep("duffing", range="eps=0.01:0.01:1", tolerance=1e-4, melnikov=True)
     amplitude = np.sqrt(2) * np.pi / np.cosh(np.pi / 2)
     assert found.rows.first_order[0] == pytest.approx(0.02 * amplitude, abs=1e-10)
+    moved = lober.transport("duffing", iterates=1, melnikov=True)
+    function = moved.melnikov
+    assert function.parameter == "eps" and function.period == pytest.approx(2 * np.pi)
+    at = np.linspace(0, 7, 50)
+    np.testing.assert_allclose(np.abs(function(at)).max(), function.largest, rtol=1e-2)
+    np.testing.assert_allclose(function(function.zeros["t0"]), 0, atol=1e-12)
+    assert function(function.zeros["t0"][0]).shape == () and function.largest == pytest.approx(amplitude, abs=1e-10)
+    step = 1e-5
+    slopes = (function(function.zeros["t0"] + step) - function(function.zeros["t0"] - step)) / (2 * step)
+    np.testing.assert_allclose(slopes, function.zeros["slope"], rtol=1e-8)
+    written = moved.to_dict()["melnikov"]
+    assert [one["area"] for one in written["lobes"]] == function.lobes["area"].tolist()
+    assert written["exact"] == function.exact._asdict() and written["first_order"] == function.first_order._asdict()
+    assert function.exact.left == pytest.approx(function.first_order.left, rel=function.eps)
+    assert lober.transport("duffing", iterates=1).melnikov is None
 
 
 def test_levels():

@@ -10,9 +10,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from conftest import ring
 from shapely.geometry import Polygon
 
 import lober
+from lober import _lober
 
 with warnings.catch_warnings():  # of pyproj, where its data are not installed
     warnings.simplefilter("ignore")
@@ -204,3 +206,25 @@ def test_memory_does_not_grow_from_call_to_call() -> None:
     gc.collect()
     assert tracemalloc.get_traced_memory()[0] - before < 20_000
     tracemalloc.stop()
+
+
+@pytest.mark.parametrize(
+    "options, message",
+    [
+        ({"what": None}, "what is a name or a list of names, not NoneType"),
+        ({"what": 3}, "what is a name or a list of names, not int"),
+        ({"check_simple": "no"}, "check_simple cannot be 'no'"),
+        ({"keep_going": []}, r"keep_going cannot be \[\]"),
+    ],
+)
+def test_options_of_a_wrong_type(options, message):
+    with pytest.raises(TypeError, match=message):
+        lober.overlap_matrix([ring(50), ring(50, 0.5)], **options)
+
+
+def test_the_engine_knows_its_options():
+    points, offsets = np.zeros((0, 2)), np.zeros(1, np.int64)
+    with pytest.raises(TypeError, match="there is no option mesures"):
+        _lober.overlap_matrix(points, offsets, None, None, None, mesures=["union"])
+    with pytest.raises(TypeError, match="threads cannot be 1267650600228229401496703205376"):
+        _lober.overlap_matrix(points, offsets, None, None, None, threads=2**100)

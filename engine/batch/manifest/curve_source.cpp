@@ -12,11 +12,16 @@ std::string CurveSource::periodic() const {
          (periods.y == 0 ? "" : " y=" + format_number(periods.y));
 }
 
-CurveUnit unit_of(const std::vector<CurveSource>& sources, const std::string& manifest_path) {
+CurveUnit unit_of(const std::vector<CurveSource>& sources, const std::string& manifest_path, const KeptCurves* kept) {
   const CurveSource& any = sources.front();
-  if (any.file.empty()) return manifold_unit(*any.recipe);
-  CurveUnit of_file = file_unit(located(manifest_path, any.file), sources);
-  return any.recipe ? image_unit(*any.recipe, std::move(of_file)) : of_file;
+  const std::string path = any.file.empty() ? "" : located(manifest_path, any.file);
+  KeptNames names{path, {}};
+  for (const CurveSource& source : sources) names.curves.push_back(path + '\n' + source.input_name());
+  const std::size_t points = kept != nullptr && !any.recipe ? kept->points(names) : 0;
+  CurveUnit unit = path.empty() ? manifold_unit(*any.recipe) : file_unit(path, sources, points);
+  if (any.recipe && !path.empty()) unit = image_unit(*any.recipe, std::move(unit));
+  unit.names = std::move(names);
+  return unit;
 }
 
 std::vector<std::string> digests_of(const std::vector<CurveSource>& sources, const std::string& manifest_path) {

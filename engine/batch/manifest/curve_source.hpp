@@ -36,8 +36,9 @@ struct CurveSource {
   }
 };
 
-/// Curves with the same `unit` as a unit of the queue.
-[[nodiscard]] CurveUnit unit_of(const std::vector<CurveSource>& sources, const std::string& manifest_path);
+/// Curves with the same `unit` as a unit of the queue. Files that `kept` knows are not looked at.
+[[nodiscard]] CurveUnit unit_of(const std::vector<CurveSource>& sources, const std::string& manifest_path,
+                                const KeptCurves* kept = nullptr);
 
 /// The digests of the curves as they are now, as the CurveUnit would give them. Throws DataError when the file cannot
 /// be read.

@@ -61,13 +61,13 @@ std::vector<LoadedCurve> unreadable(const std::string& path, std::span<const Cur
 
 }  // namespace
 
-CurveUnit file_unit(std::string path, std::vector<CurveSource> zones) {
+CurveUnit file_unit(std::string path, std::vector<CurveSource> zones, std::size_t points) {
   CurveUnit unit;
   unit.curves = zones.size();
   std::error_code ignored;
   const auto size = std::filesystem::file_size(path, ignored);
   // A file of no size is not read.
-  unit.points = !ignored && size == 0 ? 0 : estimate_points(path);
+  unit.points = !ignored && size == 0 ? 0 : points != 0 ? points : estimate_points(path);
   if (!ignored) unit.reading_memory = size + unit.points * sizeof(Point);  // the bytes, and chunks being joined
   unit.load = [path = std::move(path), zones = std::move(zones)](const Loading& loading) {
     CurveFile file;

@@ -10,8 +10,9 @@
 namespace lober::detail {
 
 /// The zones of a file that jobs use as a unit, before anything is made of them. Only `load` reads more of the file
-/// than its beginning; a fault in one zone is an error of that zone.
-[[nodiscard]] CurveUnit file_unit(std::string path, std::vector<CurveSource> zones);
+/// than its beginning, and nothing does if `points` says how many it has, about; a fault in one zone is an error of
+/// that zone.
+[[nodiscard]] CurveUnit file_unit(std::string path, std::vector<CurveSource> zones, std::size_t points = 0);
 
 /// The digest of a zone, from the SHA-256 of its file. By contents only: no name goes in.
 [[nodiscard]] std::string zone_digest(const std::string& file_sha256, const CurveSource& zone);

@@ -5,32 +5,53 @@
 #include "lober/overlay/crossings.hpp"
 
 namespace lober::detail {
+namespace {
+
+// The message of what `work` throws; empty if it does not throw.
+template <typename Work>
+std::string refusal(const Work& work) {
+  try {
+    work();
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace
+
 PreparedCurve::PreparedCurve(std::shared_ptr<const Curve> curve, const Requirements& requirements)
     : curve_(std::move(curve)) {
   const Curve& given = *curve_;
-  try {
+  error_ = refusal([&] {
     if (requirements.index || requirements.simple) {
       require_enough_vertices(given, given.name);
       index_.emplace(CurveView(given));
-      if (!index_->finite()) validate(given, given.name);
-    } else {
-      validate(given, given.name);
+      if (index_->finite()) return;
     }
-    if (requirements.closed && !given.closed) throw DataError(given.name + ": is open, a closed curve is needed");
-    if (requirements.simple) {
+    validate(given, given.name);
+  });
+  if (!error_.empty()) return;
+  if (!given.closed) not_closed_ = given.name + ": is open, a closed curve is needed";
+  if (requirements.simple) {
+    not_simple_ = refusal([&] {
       try {
         (void)require_simple(*index_, 1);
       } catch (const NotSimpleError& error) {
         throw DataError(given.name + ": is not simple: segments " + std::to_string(error.segment1) + " and " +
                         std::to_string(error.segment2) + " meet");
       }
-    }
-    if (requirements.discretisation) sums_.emplace(CurveView(given));
-  } catch (const Cancelled&) {
-    throw;
-  } catch (const Error& error) {
-    error_ = error.what();
+    });
   }
+  if (requirements.discretisation && given.closed) sums_.emplace(CurveView(given));
+}
+
+const std::string& PreparedCurve::error(const Requirements& requirements) const {
+  if (!error_.empty()) return error_;
+  if ((requirements.closed || requirements.discretisation) && !not_closed_.empty()) return not_closed_;
+  return requirements.simple ? not_simple_ : error_;
 }
 
 std::size_t PreparedCurve::memory() const {

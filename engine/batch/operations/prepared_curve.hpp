@@ -31,8 +31,8 @@ struct Requirements {
 /// Stays where it is: the index refers to the points.
 class PreparedCurve {
  public:
-  /// Takes the curve and prepares the required data. Nothing is thrown for a curve that cannot be used: `error` says
-  /// why.
+  /// Takes the curve and prepares the required data, for all operations that are going to use it. Nothing is thrown for
+  /// a curve that cannot be used: `error` says why.
   PreparedCurve(std::shared_ptr<const Curve> curve, const Requirements& requirements);
   /// A curve that could not even be read.
   explicit PreparedCurve(std::string error) : curve_(std::make_shared<const Curve>()), error_(std::move(error)) {}
@@ -42,14 +42,17 @@ class PreparedCurve {
   [[nodiscard]] const Curve& curve() const { return *curve_; }
   [[nodiscard]] const IndexedCurve& index() const { return *index_; }
   [[nodiscard]] const DiscretisationSums& sums() const { return *sums_; }
-  [[nodiscard]] const std::string& error() const { return error_; }  ///< empty: the curve can be used
-  [[nodiscard]] std::size_t memory() const;                          ///< bytes
+  /// Why an operation with these requirements, which are among those it was prepared for, cannot use the curve; empty
+  /// if it can. Requirements of other operations do not matter.
+  [[nodiscard]] const std::string& error(const Requirements& requirements) const;
+  [[nodiscard]] std::size_t memory() const;  ///< bytes
 
  private:
   std::shared_ptr<const Curve> curve_;
   std::optional<IndexedCurve> index_;
   std::optional<DiscretisationSums> sums_;
-  std::string error_;
+  /// Why no operation can use it; why those with these requirements cannot.
+  std::string error_, not_closed_, not_simple_;
 };
 
 }  // namespace lober::detail

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <unordered_map>
 
 #include "engine/batch/operations/bytes.hpp"
 #include "engine/batch/operations/option_json.hpp"
@@ -21,8 +22,12 @@ Json array_of(const std::vector<T>& values) {
 }
 
 template <typename T>
+std::vector<T> array_from(const Json& from) {
+  return values_of<T>(from.get_binary());
+}
+template <typename T>
 std::vector<T> array_from(const Json& from, std::size_t count) {
-  std::vector<T> values = values_of<T>(from.get_binary());
+  std::vector<T> values = array_from<T>(from);
   if (values.size() != count) throw DataError("the results are not all of the same number");
   return values;
 }
@@ -39,21 +44,78 @@ double number_from(const Json& value) {
   return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
 }
 
+// Lists of numbers, one after the other.
+struct Numbers {
+  std::vector<std::uint32_t> counts;
+  std::vector<double> numbers;
+
+  void add(const std::vector<double>& list) {
+    counts.push_back(static_cast<std::uint32_t>(list.size()));
+    numbers.insert(numbers.end(), list.begin(), list.end());
+  }
+  [[nodiscard]] Json json() const { return {{"counts", array_of(counts)}, {"numbers", array_of(numbers)}}; }
+};
+
+class NumbersReader {
+ public:
+  explicit NumbersReader(const Json& from)
+      : lists_{array_from<std::uint32_t>(from.at("counts")), array_from<double>(from.at("numbers"))} {}
+
+  [[nodiscard]] std::vector<double> next() {
+    if (list_ == lists_.counts.size() || lists_.counts[list_] > lists_.numbers.size() - number_) {
+      throw DataError("the results end too early");
+    }
+    const auto begin = lists_.numbers.begin() + static_cast<std::ptrdiff_t>(number_);
+    const std::uint32_t count = lists_.counts[list_++];
+    number_ += count;
+    return {begin, begin + count};
+  }
+
+ private:
+  Numbers lists_;
+  std::size_t list_ = 0, number_ = 0;
+};
+
+// Results share their digests and have no error as a rule: each text is sent once.
+class Texts {
+ public:
+  [[nodiscard]] std::uint32_t number_of(const std::string& text) {
+    const auto [at, is_new] = numbers_.try_emplace(text, static_cast<std::uint32_t>(texts_.size()));
+    if (is_new) texts_.push_back(text);
+    return at->second;
+  }
+  [[nodiscard]] const std::vector<std::string>& all() const { return texts_; }
+
+ private:
+  std::unordered_map<std::string, std::uint32_t> numbers_;
+  std::vector<std::string> texts_;
+};
+
+constexpr std::size_t texts_of_a_result = 3;  // its digests and its error
+
 std::vector<Result> results_of(const Json& from) {
-  const Json& errors = from.at("errors");
-  std::vector<Result> results(errors.size());
-  const auto jobs = array_from<std::uint32_t>(from.at("jobs"), results.size());
-  const auto keys = array_from<JobKey>(from.at("keys"), results.size());
-  const auto seconds = array_from<double>(from.at("seconds"), results.size());
+  const auto jobs = array_from<std::uint32_t>(from.at("jobs"));
+  const auto keys = array_from<JobKey>(from.at("keys"), jobs.size());
+  const auto seconds = array_from<double>(from.at("seconds"), jobs.size());
+  const auto list_counts = array_from<std::uint32_t>(from.at("list_counts"), jobs.size());
+  const auto texts = array_from<std::uint32_t>(from.at("texts"), texts_of_a_result * jobs.size());
+  const auto all_texts = from.at("all_texts").get<std::vector<std::string>>();
+  NumbersReader values(from.at("values")), lists(from.at("lists"));
+  std::vector<Result> results(jobs.size());
   for (std::size_t k = 0; k < results.size(); ++k) {
     Result& result = results[k];
     result.job = jobs[k];
     result.key = keys[k];
     result.seconds = seconds[k];
-    result.error = errors.at(k).get<std::string>();
-    result.digests = from.at("digests").at(k).get<std::array<std::string, 2>>();
-    result.values = values_of<double>(from.at("values").at(k).get_binary());
-    for (const Json& list : from.at("lists").at(k)) result.lists.push_back(values_of<double>(list.get_binary()));
+    result.values = values.next();
+    for (std::uint32_t list = 0; list < list_counts[k]; ++list) result.lists.push_back(lists.next());
+    const auto text = [&](std::size_t number) -> const std::string& {
+      const std::uint32_t at = texts[texts_of_a_result * k + number];
+      if (at >= all_texts.size()) throw DataError("a result has a text that is not there");
+      return all_texts[at];
+    };
+    result.digests = {text(0), text(1)};
+    result.error = text(2);
   }
   return results;
 }
@@ -61,25 +123,30 @@ std::vector<Result> results_of(const Json& from) {
 }  // namespace
 
 std::string encoded(std::span<const Result> results) {
-  std::vector<std::uint32_t> jobs;
+  std::vector<std::uint32_t> jobs, list_counts, texts;
   std::vector<JobKey> keys;
   std::vector<double> seconds;
-  Json made;
-  for (const char* const key : {"errors", "digests", "values", "lists"}) made[key] = Json::array();
+  Numbers values, lists;
+  Texts all_texts;
   for (const Result& result : results) {
     jobs.push_back(result.job);
     keys.push_back(result.key);
     seconds.push_back(result.seconds);
-    made["errors"].push_back(result.error);
-    made["digests"].push_back(result.digests);
-    made["values"].push_back(array_of(result.values));
-    Json lists = Json::array();
-    for (const std::vector<double>& list : result.lists) lists.push_back(array_of(list));
-    made["lists"].push_back(std::move(lists));
+    values.add(result.values);
+    list_counts.push_back(static_cast<std::uint32_t>(result.lists.size()));
+    for (const std::vector<double>& list : result.lists) lists.add(list);
+    for (const std::string& text : {result.digests[0], result.digests[1], result.error}) {
+      texts.push_back(all_texts.number_of(text));
+    }
   }
-  made["jobs"] = array_of(jobs);
-  made["keys"] = array_of(keys);
-  made["seconds"] = array_of(seconds);
+  const Json made = {{"jobs", array_of(jobs)},
+                     {"keys", array_of(keys)},
+                     {"seconds", array_of(seconds)},
+                     {"values", values.json()},
+                     {"list_counts", array_of(list_counts)},
+                     {"lists", lists.json()},
+                     {"texts", array_of(texts)},
+                     {"all_texts", all_texts.all()}};
   std::string bytes;
   Json::to_cbor(made, bytes);
   return bytes;

@@ -65,12 +65,17 @@ bool CurveCache::free_memory(std::size_t more, bool regardless) {
 void CurveCache::drop(Unit& unit) {
   for (std::size_t k = 0; k < unit.what.curves; ++k) members_[unit.first + k].prepared = nullptr;
   unit.state = State::absent;
-  used_ -= unit.bytes;
+  give(unit.bytes);
 }
 
 void CurveCache::take(std::size_t bytes) {
-  used_ += bytes;
+  book(static_cast<std::ptrdiff_t>(bytes));
   counts_.peak_bytes = std::max(counts_.peak_bytes, used_);
+}
+
+void CurveCache::book(std::ptrdiff_t bytes) {
+  used_ += static_cast<std::size_t>(bytes);
+  if (kept_ != nullptr) kept_->occupy(bytes);
 }
 
 void CurveCache::pin(UnitId number) {
@@ -87,7 +92,7 @@ void CurveCache::begin_loading(UnitId number) {
 void CurveCache::give_up_loading(UnitId number) {
   Unit& unit = units_[number];
   unit.state = State::absent;
-  used_ -= unit.bytes + unit.what.reading_memory;
+  give(unit.bytes + unit.what.reading_memory);
 }
 
 void CurveCache::expect(UnitId number, std::size_t bytes) {
@@ -113,8 +118,34 @@ void load_or(const Load& load, const Failed& failed) {
 
 }  // namespace
 
+std::vector<Requirements> CurveCache::requirements_of(const Unit& unit) const {
+  std::vector<Requirements> all;
+  for (std::size_t k = 0; k < unit.what.curves; ++k) all.push_back(members_[unit.first + k].requirements);
+  return all;
+}
+
 std::shared_ptr<CurveCache::Loaded> CurveCache::read(UnitId number, const Loading& loading) const {
   const Unit& unit = units_[number];
+  // A kept curve has its digest.
+  if (kept_ == nullptr || unit.what.names.curves.empty() || !loading.digests) return read_anew(unit, loading);
+  const std::vector<Requirements> requirements = requirements_of(unit);
+  if (auto found = kept_->find(unit.what.names, requirements)) {
+    auto loaded = std::make_shared<Loaded>();
+    loaded->curves = std::move(*found);
+    loaded->was_kept = true;
+    for (const KeptCurves::Kept& one : loaded->curves) loaded->bytes += one.curve->memory();
+    return loaded;
+  }
+  const std::optional<FileStamp> before = kept_->stamp_of(unit.what.names);
+  std::shared_ptr<Loaded> loaded = read_anew(unit, loading);
+  // A curve that could not be read, for want of memory for instance, may be readable the next time.
+  const bool complete = std::all_of(loaded->curves.begin(), loaded->curves.end(),
+                                    [](const auto& one) { return !one.curve->curve().points.empty(); });
+  if (before && complete) kept_->keep(unit.what.names, requirements, *before, loaded->curves);
+  return loaded;
+}
+
+std::shared_ptr<CurveCache::Loaded> CurveCache::read_anew(const Unit& unit, const Loading& loading) const {
   auto loaded = std::make_shared<Loaded>();
   const Stopwatch read_watch;
   std::vector<LoadedCurve> curves;
@@ -127,18 +158,19 @@ std::shared_ptr<CurveCache::Loaded> CurveCache::read(UnitId number, const Loadin
   loaded->curves.resize(curves.size());
   for_each_block(curves.size(), 1, [&](std::size_t k, std::size_t) {
     LoadedCurve& curve = curves[k];
+    std::shared_ptr<const PreparedCurve>& made = loaded->curves[k].curve;
     const std::string name = curve.curve ? curve.curve->name : "";
     load_or(
         [&] {
-          loaded->curves[k] = curve.error.empty() ? std::make_shared<const PreparedCurve>(
-                                                        std::move(curve.curve), members_[unit.first + k].requirements)
-                                                  : std::make_shared<const PreparedCurve>(std::move(curve.error));
+          made = curve.error.empty() ? std::make_shared<const PreparedCurve>(std::move(curve.curve),
+                                                                             members_[unit.first + k].requirements)
+                                     : std::make_shared<const PreparedCurve>(std::move(curve.error));
         },
-        [&](const char* message) { loaded->curves[k] = std::make_shared<const PreparedCurve>(name + ": " + message); });
+        [&](const char* message) { made = std::make_shared<const PreparedCurve>(name + ": " + message); });
   });
   for (std::size_t k = 0; k < curves.size(); ++k) {
-    loaded->bytes += loaded->curves[k]->memory();
-    loaded->digests.push_back(std::move(curves[k].digest));
+    loaded->bytes += loaded->curves[k].curve->memory();
+    loaded->curves[k].digest = std::move(curves[k].digest);
   }
   loaded->prepare_seconds = prepare_watch.seconds();
   return loaded;
@@ -148,19 +180,21 @@ void CurveCache::end_loading(UnitId number, const Loaded& loaded) {
   Unit& unit = units_[number];
   for (std::size_t k = 0; k < unit.what.curves; ++k) {
     Member& member = members_[unit.first + k];
-    member.prepared = loaded.curves[k];
-    if (unit.reads == 0) member.digest = loaded.digests[k];
-    if (member.digest != loaded.digests[k]) {
+    const auto& [curve, digest] = loaded.curves[k];
+    member.prepared = curve;
+    if (unit.reads == 0) member.digest = digest;
+    if (member.digest != digest) {
       member.prepared = std::make_shared<const PreparedCurve>("the input changed while it was in use");
     }
     member.points = member.prepared->curve().points.size();
-    if (member.prepared->error().empty() && member.requirements.index) ++counts_.curves_indexed;
+    const bool indexed = member.prepared->error(member.requirements).empty() && member.requirements.index;
+    if (indexed && !loaded.was_kept) ++counts_.curves_indexed;
   }
   unit.state = State::resident;
-  used_ -= unit.bytes + unit.what.reading_memory;
+  give(unit.bytes + unit.what.reading_memory);
   unit.bytes = loaded.bytes;
   take(unit.bytes);
-  ++counts_.units_read;
+  if (!loaded.was_kept) ++counts_.units_read;
   counts_.max_reads = std::max(counts_.max_reads, ++unit.reads);
   counts_.read_seconds += loaded.read_seconds;
   counts_.prepare_seconds += loaded.prepare_seconds;

@@ -11,6 +11,7 @@
 #include "engine/batch/operations/allowance.hpp"
 #include "engine/batch/operations/job.hpp"
 #include "engine/batch/operations/prepared_curve.hpp"
+#include "engine/batch/queue/kept_curves.hpp"
 #include "lober/batch.hpp"
 
 namespace lober::detail {
@@ -34,6 +35,7 @@ struct CurveUnit {
   std::size_t points = 0;          ///< an estimate for all of them together, before they are read
   std::size_t reading_memory = 0;  ///< bytes needed besides while reading
   bool keep = false;               ///< cannot be read again
+  KeptNames names = {};            ///< for KeptCurves, if there is one
   /// Returns that number of curves, in order; throws a std::exception when nothing can be read. The same
   /// content every time.
   std::function<std::vector<LoadedCurve>(const Loading&)> load;
@@ -45,7 +47,11 @@ class CurveCache {
   using UnitId = std::uint32_t;
   enum class State : std::uint8_t { absent, loading, resident };
 
-  explicit CurveCache(std::size_t budget) : budget_(budget) {}
+  /// `kept`, which may be null and has to outlive the cache, has curves of earlier caches and gets those of this one.
+  explicit CurveCache(std::size_t budget, KeptCurves* kept = nullptr) : budget_(budget), kept_(kept) {}
+  CurveCache(const CurveCache&) = delete;
+  CurveCache& operator=(const CurveCache&) = delete;
+  ~CurveCache() { book(-static_cast<std::ptrdiff_t>(used_)); }
 
   std::vector<CurveId> add(CurveUnit unit);
   /// Widens what the curve is prepared for. A curve in memory that lacks it is read again.
@@ -63,7 +69,7 @@ class CurveCache {
   /// are not enough: false and nothing was dropped, or all of them were, if `regardless`.
   bool free_memory(std::size_t more, bool regardless = false);
   void take(std::size_t bytes);
-  void give(std::size_t bytes) { used_ -= bytes; }
+  void give(std::size_t bytes) { book(-static_cast<std::ptrdiff_t>(bytes)); }
 
   void pin(UnitId unit);
   void unpin(UnitId unit) { --units_[unit].pins; }
@@ -71,8 +77,9 @@ class CurveCache {
   /// Announces that the caller is going to `read` the unit, and books the memory.
   void begin_loading(UnitId unit);
   struct Loaded;
-  /// Reads and prepares, in parallel inside. Needs no lock. A curve that cannot be read or prepared, be it for want of
-  /// memory, is one with an error; Cancelled and exceptions other than std::exception are thrown.
+  /// Reads and prepares, in parallel inside, or takes kept curves. Needs no lock. A curve that cannot be read or
+  /// prepared, be it for want of memory, is one with an error; Cancelled and exceptions other than std::exception are
+  /// thrown.
   [[nodiscard]] std::shared_ptr<Loaded> read(UnitId unit, const Loading& loading) const;
   void end_loading(UnitId unit, const Loaded& loaded);
   /// Instead, when `read` has thrown.
@@ -103,8 +110,12 @@ class CurveCache {
     std::size_t bytes = 0;
   };
   void drop(Unit& unit);
+  void book(std::ptrdiff_t bytes);
+  [[nodiscard]] std::shared_ptr<Loaded> read_anew(const Unit& unit, const Loading& loading) const;
+  [[nodiscard]] std::vector<Requirements> requirements_of(const Unit& unit) const;
 
   std::size_t budget_, used_ = 0;
+  KeptCurves* kept_;
   std::uint64_t clock_ = 0;
   std::vector<Member> members_;
   std::vector<Unit> units_;
@@ -112,9 +123,9 @@ class CurveCache {
 };
 
 struct CurveCache::Loaded {
-  std::vector<std::shared_ptr<const PreparedCurve>> curves;
-  std::vector<std::string> digests;
+  std::vector<KeptCurves::Kept> curves;
   std::size_t bytes = 0;
+  bool was_kept = false;
   double read_seconds = 0, prepare_seconds = 0;
 };
 

@@ -34,7 +34,7 @@ std::size_t working_memory(const Operation& operation, std::size_t points) {
 
 JobQueue::JobQueue(const JobQueueOptions& options) : options_(options) {
   if (options_.memory == 0) options_.memory = machine_memory() / 2;
-  cache_ = std::make_unique<CurveCache>(options_.memory);
+  cache_ = std::make_unique<CurveCache>(options_.memory, options_.kept);
 }
 
 JobQueue::~JobQueue() = default;
@@ -62,6 +62,7 @@ std::vector<CurveId> JobQueue::add(CurveUnit unit) {
 
 std::uint32_t JobQueue::add(JobGroup group) {
   refuse_if_running("add");
+  requirements_.push_back(group.operation->requirements(group.options));
   groups_.push_back(std::move(group));
   return static_cast<std::uint32_t>(groups_.size() - 1);
 }
@@ -74,8 +75,7 @@ std::size_t JobQueue::submit(Job job) {
   if (!takes(operation->arity, count)) {
     throw UsageError(operation->name + " does not take " + std::to_string(count) + " curves");
   }
-  const Requirements requirements = operation->requirements(group.options);
-  for (const CurveId curve : job.curves()) cache_->require(curve, requirements);
+  for (const CurveId curve : job.curves()) cache_->require(curve, requirements_[job.group]);
   jobs_.push_back(job);
   return jobs_.size() - 1;
 }
@@ -96,15 +96,14 @@ QueueProgress JobQueue::progress() const {
 namespace {
 
 // The second curve of a pair moved by whole periods to the first; null where it is there already.
-std::unique_ptr<const PreparedCurve> moved_near(const PreparedCurve& second, const Curve& first,
-                                                const JobGroup& group) {
+std::unique_ptr<const PreparedCurve> moved_near(const PreparedCurve& second, const Curve& first, const JobGroup& group,
+                                                const Requirements& requirements) {
   const Curve& given = second.curve();
   if (!group.periods.any() || given.points.empty()) return nullptr;
   Curve curve = given;
   move_near(curve.points, first.points, group.periods);
   if (curve.points.front() == given.points.front()) return nullptr;
-  return std::make_unique<const PreparedCurve>(std::make_shared<const Curve>(std::move(curve)),
-                                               group.operation->requirements(group.options));
+  return std::make_unique<const PreparedCurve>(std::make_shared<const Curve>(std::move(curve)), requirements);
 }
 
 }  // namespace
@@ -117,6 +116,7 @@ class JobQueue::Run final : public JobRunner {
   void run_job(std::uint32_t number, const Allowance& allowance) override {
     const Job& job = queue_.jobs_[number];
     const JobGroup& group = queue_.groups_[job.group];
+    const Requirements& requirements = queue_.requirements_[job.group];
     const CurveCache& cache = *queue_.cache_;
     Result result;
     std::array<const PreparedCurve*, 2> curves{};
@@ -125,7 +125,7 @@ class JobQueue::Run final : public JobRunner {
     for (std::size_t k = 0; k < ids.size(); ++k) {
       curves[k] = &cache.curve(ids[k]);
       points += curves[k]->curve().points.size();
-      if (!result.failed()) result.error = curves[k]->error();
+      if (!result.failed()) result.error = curves[k]->error(requirements);
     }
     Stopwatch watch;
     if (!result.failed()) {
@@ -133,9 +133,9 @@ class JobQueue::Run final : public JobRunner {
         std::unique_ptr<const PreparedCurve> moved;
         if (ids.size() == 2) {
           require_same_columns(curves[0]->curve(), curves[1]->curve());
-          moved = moved_near(*curves[1], curves[0]->curve(), group);
+          moved = moved_near(*curves[1], curves[0]->curve(), group, requirements);
           if (moved != nullptr) curves[1] = moved.get();
-          if (moved != nullptr && !moved->error().empty()) throw DataError(moved->error());
+          if (moved != nullptr && !moved->error(requirements).empty()) throw DataError(moved->error(requirements));
         }
         result = group.operation->run({std::span(curves).first(ids.size()), allowance, group.outputs}, group.options);
       } catch (const Cancelled&) {

@@ -40,6 +40,8 @@ struct JobQueueOptions {
   std::size_t memory = 0;   ///< bytes, as QueueOptions::memory
   bool digests = false;     ///< hash the curves that are read
   bool concurrent = false;  ///< `done` may be called from several threads at the same time
+  /// Curves of earlier queues, for those with names (CurveUnit::names); may be null, has to outlive the queue.
+  KeptCurves* kept = nullptr;
 };
 
 class JobQueue {
@@ -89,6 +91,7 @@ class JobQueue {
   JobQueueOptions options_;
   std::unique_ptr<CurveCache> cache_;
   std::vector<JobGroup> groups_;
+  std::vector<Requirements> requirements_;  ///< by group
   std::vector<Job> jobs_;
   std::size_t first_waiting_ = 0;
   std::atomic<bool> stop_{false}, cancelled_{false}, running_{false};

@@ -313,24 +313,28 @@ std::vector<Store::Run> Store::runs() const {
   return all;
 }
 
-void Store::merge(std::span<const Store> others, const Progress& progress) {
+std::vector<std::size_t> Store::merge(std::span<const Store> others, const Progress& progress) {
+  std::vector<std::size_t> damaged;
   std::size_t all = 0, before = 0;
   for (const Store& other : others) all += other.stored().size();
   require_whole();
   Transaction transaction(*database_);
   refresh();
-  for (const Store& other : others) {
-    const std::size_t own = other.stored().size();
-    take_over(other, [&](double part) {
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    const std::size_t own = others[k].stored().size();
+    const bool whole = take_over(others[k], [&](double part) {
       return progress((static_cast<double>(before) + part * static_cast<double>(own)) /
                       static_cast<double>(std::max<std::size_t>(all, 1)));
     });
+    if (!whole) damaged.push_back(k);
     before += own;
   }
   transaction.commit();
+  return damaged;
 }
 
-void Store::take_over(const Store& other, const Progress& progress) {
+// False if results are damaged.
+bool Store::take_over(const Store& other, const Progress& progress) {
   constexpr std::size_t results_between_reports = 64;
   const std::optional<Plan> planned = plan();
   std::optional<Plan> theirs = other.plan();
@@ -359,6 +363,7 @@ void Store::take_over(const Store& other, const Progress& progress) {
     renumbered[run.id] = same == present.end() ? sqlite3_last_insert_rowid(database_->handle()) : same->id;
   }
   std::size_t number = 0;
+  bool whole = true;
   for (const auto& [key, known] : other.stored()) {
     if (number % results_between_reports == 0 &&
         !progress(static_cast<double>(number) / static_cast<double>(other.stored().size()))) {
@@ -366,7 +371,10 @@ void Store::take_over(const Store& other, const Progress& progress) {
     }
     ++number;
     std::optional<Result> result = other.result(known);
-    if (!result) continue;
+    if (!result) {
+      whole = false;
+      continue;
+    }
     if (const Known* const mine = known_.find(key); mine != nullptr && !this->result(*mine)) discard(key);
     const auto run = renumbered.find(result->run);
     result->run = run != renumbered.end() ? run->second : 0;
@@ -374,6 +382,7 @@ void Store::take_over(const Store& other, const Progress& progress) {
     put(known.table, *result, true);
   }
   label_rows(inputs);
+  return whole;
 }
 
 }  // namespace lober::detail

@@ -107,9 +107,10 @@ class Store {
   };
   [[nodiscard]] std::vector<Run> runs() const;
 
-  /// Takes over what other stores have. Throws DataError when the plans differ or the same input was read with
-  /// different contents, Cancelled. One transaction: all of it, or nothing.
-  void merge(std::span<const Store> others, const Progress& progress = {});
+  /// Takes over what other stores have, and returns the numbers of those in which results are damaged; these are left
+  /// out. Throws DataError when the plans differ or the same input was read with different contents, Cancelled. One
+  /// transaction: all of it, or nothing.
+  std::vector<std::size_t> merge(std::span<const Store> others, const Progress& progress = {});
 
  private:
   Store(const std::string& path, bool create);
@@ -122,7 +123,7 @@ class Store {
   void put_run(const Run& run);
   [[nodiscard]] std::uint32_t table_of(const Plan& plan, std::uint32_t job) const;
   void put(std::uint32_t table, const Result& result, bool shown);
-  void take_over(const Store& other, const Progress& progress);
+  [[nodiscard]] bool take_over(const Store& other, const Progress& progress);
   void put_repeat(std::uint32_t job, const Known& known);
   void label_rows(const InputDigests& inputs);
 
