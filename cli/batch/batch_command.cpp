@@ -96,6 +96,7 @@ void run_manifest(const Arguments& arguments) {
   });
   const CancellationScope shield(CancellationScope::Shield{});  // what was done is reported in any case
   warn_of(report.damaged);
+  warn_of(report.queue.warnings);
   if (!request->json.empty()) write_batch_json(request->json, report, request->manifest, request->store);
   if (request->json != "-") print(batch_summary(report, request->store));
   judge(report, request->store);

@@ -151,9 +151,9 @@ NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& o
     require_closed_in_the_plane(result.curve.points, options.periods, spec);
     if (result.curve.points.size() == given) result.remark = closing_remark(result.curve.points);
   }
-  if (const std::string columns = columns_remark(file.header, result.curve.points); !columns.empty()) {
-    result.remark = columns + (result.remark.empty() ? "" : "; " + result.remark);
-  }
+  ColumnsRemark columns = columns_remark(file.header, result.curve.points);
+  if (!columns.text.empty()) result.remark = columns.text + (result.remark.empty() ? "" : "; " + result.remark);
+  result.warning = std::move(columns.warning);
   if (seams > 0) {
     result.remark += result.remark.empty() ? "" : "; ";
     result.remark += "crosses the seam of a period " + std::to_string(seams) + (seams == 1 ? " time" : " times") +

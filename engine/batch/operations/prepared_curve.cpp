@@ -5,8 +5,8 @@
 #include "lober/overlay/crossings.hpp"
 
 namespace lober::detail {
-PreparedCurve::PreparedCurve(std::shared_ptr<const Curve> curve, const Requirements& requirements)
-    : curve_(std::move(curve)) {
+PreparedCurve::PreparedCurve(std::shared_ptr<const Curve> curve, const Requirements& requirements, std::string warning)
+    : curve_(std::move(curve)), warning_(std::move(warning)) {
   const Curve& given = *curve_;
   try {
     if (requirements.index || requirements.simple) {

@@ -32,8 +32,8 @@ struct Requirements {
 class PreparedCurve {
  public:
   /// Takes the curve and prepares the required data. Nothing is thrown for a curve that cannot be used: `error` says
-  /// why.
-  PreparedCurve(std::shared_ptr<const Curve> curve, const Requirements& requirements);
+  /// why. `warning` is kept with it.
+  PreparedCurve(std::shared_ptr<const Curve> curve, const Requirements& requirements, std::string warning = {});
   /// A curve that could not even be read.
   explicit PreparedCurve(std::string error) : curve_(std::make_shared<const Curve>()), error_(std::move(error)) {}
   PreparedCurve(const PreparedCurve&) = delete;
@@ -43,13 +43,14 @@ class PreparedCurve {
   [[nodiscard]] const IndexedCurve& index() const { return *index_; }
   [[nodiscard]] const DiscretisationSums& sums() const { return *sums_; }
   [[nodiscard]] const std::string& error() const { return error_; }  ///< empty: the curve can be used
-  [[nodiscard]] std::size_t memory() const;                          ///< bytes
+  [[nodiscard]] const std::string& warning() const { return warning_; }
+  [[nodiscard]] std::size_t memory() const;  ///< bytes
 
  private:
   std::shared_ptr<const Curve> curve_;
   std::optional<IndexedCurve> index_;
   std::optional<DiscretisationSums> sums_;
-  std::string error_;
+  std::string error_, warning_;
 };
 
 }  // namespace lober::detail

@@ -131,7 +131,8 @@ std::shared_ptr<CurveCache::Loaded> CurveCache::read(UnitId number, const Loadin
     load_or(
         [&] {
           loaded->curves[k] = curve.error.empty() ? std::make_shared<const PreparedCurve>(
-                                                        std::move(curve.curve), members_[unit.first + k].requirements)
+                                                        std::move(curve.curve), members_[unit.first + k].requirements,
+                                                        std::move(curve.warning))
                                                   : std::make_shared<const PreparedCurve>(std::move(curve.error));
         },
         [&](const char* message) { loaded->curves[k] = std::make_shared<const PreparedCurve>(name + ": " + message); });
