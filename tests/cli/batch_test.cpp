@@ -88,6 +88,16 @@ TEST_F(Batch, LongitudesOfDifferentRangesAreWarnedOf) {
   EXPECT_EQ(overlay({"line", "line", "--periodic", "x=360"})["areas"]["c1"], 16);
 }
 
+TEST_F(Batch, CheckListsTheFirstSettingsOfAGrid) {
+  write("job.toml",
+        "operation = \"escape\"\noptions = { system = \"capsize\" }\ngrid = { energy = \"0.251:0.30:0.001\" }\n");
+  const Outcome outcome = run({"batch", "check", "job.toml"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_LT(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 20) << outcome.out;
+  EXPECT_NE(outcome.out.find("and 40 more settings"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("jobs without curves are counted with"), std::string::npos) << outcome.out;
+}
+
 TEST_F(Batch, OperationsAreListedWithTheirOptions) {
   const auto list = nlohmann::json::parse(run({"batch", "operations", "--json", "-"}).out)["operations"];
   ASSERT_EQ(list.size(), operations::all().size());
