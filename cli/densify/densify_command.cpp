@@ -137,6 +137,7 @@ void run(const DensifyRequest& request) {
     }
   }
   if (!takes_standard_output(outputs)) print_report(densify_summary(curves, outcome.as<RefinedCurve>()));
+  if (!outcome.incomplete.empty()) log_warning(with_option_names(outcome.incomplete));
 }
 
 }  // namespace
