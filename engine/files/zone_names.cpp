@@ -53,7 +53,7 @@ std::string ZoneNames::name(std::size_t k) const {
 }
 
 std::string ZoneNames::range(const std::string& path) const {
-  const auto one = [&](std::size_t k) { return path + "#" + name(k); };
+  const auto one = [&](std::size_t k) { return path + "#" + (numbers_ ? name(k) : std::to_string(k)); };
   return one(0) + " to " + one(file_.zones.size() - 1);
 }
 

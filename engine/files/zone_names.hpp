@@ -23,7 +23,8 @@ class ZoneNames {
   /// The zone that `choice` names; a title is found too where zones go by their positions. Throws DataError when there
   /// is none, or more than one.
   [[nodiscard]] std::size_t find(const std::string& choice) const;
-  /// "FILE#0 to FILE#5", for messages; `path` may have columns behind the file.
+  /// "FILE#0 to FILE#5", for messages: ids where they are numbers, else positions; `path` may have columns behind the
+  /// file.
   [[nodiscard]] std::string range(const std::string& path) const;
 
  private:
