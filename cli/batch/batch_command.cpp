@@ -96,6 +96,7 @@ void run_manifest(const Arguments& arguments) {
   });
   const CancellationScope shield(CancellationScope::Shield{});  // what was done is reported in any case
   warn_of(report.damaged);
+  warn_of(report.queue.warnings);
   if (!request->json.empty()) write_batch_json(request->json, report, request->manifest, request->store);
   if (request->json != "-") print(batch_summary(report, request->store));
   judge(report, request->store);
@@ -125,16 +126,26 @@ void check_manifest(const Arguments& arguments) {
                         counted(sum.computed, "curve or family", "curves or families"));
   std::vector<std::size_t> jobs(plan.groups.size());
   for (const detail::Job& job : plan.jobs) ++jobs[job.group];
-  for (std::size_t k = 0; k < plan.groups.size(); ++k) {
+  constexpr std::size_t max_listed = 10;
+  const std::size_t listed = plan.groups.size() > max_listed + 1 ? max_listed : plan.groups.size();
+  for (std::size_t k = 0; k < listed; ++k) {
     const detail::JobGroup& group = plan.groups[k];
     text += fmt::format("  {:>9}  {}{}  {}\n", jobs[k], group.name.empty() ? "" : group.name + ": ",
                         group.operation->name, group.options.to_string());
+  }
+  if (listed < plan.groups.size()) {
+    text += fmt::format("  and {} more settings of options, which a grid makes\n", plan.groups.size() - listed);
   }
   text += fmt::format("about {:.3g} points, {:.3g} over all jobs\n", static_cast<double>(sum.points),
                       static_cast<double>(sum.points_in_jobs));
   text += fmt::format("about {:.1f} MB for all curves at once\n", static_cast<double>(sum.memory) / 1e6);
   text += fmt::format("about {:.2g} s on one core if curves cross a few times; dense tangles take longer\n",
                       sum.core_seconds);
+  const bool without_curves =
+      std::any_of(plan.jobs.begin(), plan.jobs.end(), [](const detail::Job& job) { return job.curves().size() == 0; });
+  if (without_curves) {
+    text += "jobs without curves are counted with the time of a usual one; options make them far shorter or longer\n";
+  }
   print(text);
   warn_of(detail::forecast_shortage(plan, path, budget));
 }

@@ -202,6 +202,22 @@ void add_map(Figure& figure, const JobValues& jobs, const std::vector<std::size_
   add_heat_map(figure, columns.axis(x), rows.axis(y), cells);
 }
 
+// The first result that differs between jobs and does not repeat what was varied, such as the energy of an escape.
+std::string first_that_varies(const JobValues& jobs) {
+  for (const std::string& result : jobs.results()) {
+    const auto same_as = [&](const std::string& other) {
+      for (std::size_t k = 0; k < jobs.size(); ++k) {
+        if (jobs.value(k, result) != jobs.value(k, other)) return false;
+      }
+      return true;
+    };
+    bool varies = false;
+    for (std::size_t k = 1; k < jobs.size(); ++k) varies |= jobs.value(k, result) != jobs.value(0, result);
+    if (varies && std::none_of(jobs.varied().begin(), jobs.varied().end(), same_as)) return result;
+  }
+  return jobs.results().front();
+}
+
 Figure jobs_figure(const BatchPictureRequest& request, const JobValues& jobs) {
   const std::vector<std::string>& varied = jobs.varied();
   if (jobs.results().empty()) throw DataError(request.store + ": the jobs have no numbers to draw");
@@ -212,7 +228,7 @@ Figure jobs_figure(const BatchPictureRequest& request, const JobValues& jobs) {
   for (const char* const usual : {"intersection", "lobe_area12", "flux12"}) {
     if (value.empty() && is_result(usual)) value = usual;
   }
-  if (value.empty()) value = jobs.results().front();
+  if (value.empty()) value = first_that_varies(jobs);
   require_name("--value", value, jobs.results());
   std::vector<std::string> free;  // that neither --where nor an axis fixes
   for (const std::string& name : varied) {

@@ -62,6 +62,7 @@ void write_batch_json(const std::string& path, const BatchReport& report, const 
                     {"failed", queue.failed},
                     {"stopped", queue.stopped},
                     {"damaged", report.damaged.size()},
+                    {"warnings", queue.warnings},
                     {"points", queue.points},
                     {"files_read", cache.units_read},
                     {"max_reads_of_a_file", cache.max_reads},

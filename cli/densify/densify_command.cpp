@@ -6,6 +6,9 @@
 
 #include "cli/densify/densify_report.hpp"
 #include "cli/program/command_line.hpp"
+#include "cli/program/curves_run.hpp"
+#include "cli/program/log.hpp"
+#include "cli/program/option_names.hpp"
 #include "cli/program/output_names.hpp"
 #include "cli/program/progress.hpp"
 #include "cli/program/table_options.hpp"
@@ -103,6 +106,7 @@ void run(const DensifyRequest& request) {
       progress.file(curves.size(), request.curves.size());
       curves.push_back(
           read_curve(file, curves.empty() ? !request.open : !request.open_against, {.periods = request.periods}));
+      if (curves.size() == 2) warn_of_longitudes(curves[0], curves[1], request.periods);
       if (curves.size() == 2) move_near(curves[1].curve.points, curves[0].curve.points, request.periods);
       inputs.emplace_back(operations::CurveInput{curves.back().curve, file});
     }
@@ -133,6 +137,7 @@ void run(const DensifyRequest& request) {
     }
   }
   if (!takes_standard_output(outputs)) print_report(densify_summary(curves, outcome.as<RefinedCurve>()));
+  if (!outcome.incomplete.empty()) log_warning(with_option_names(outcome.incomplete));
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "cli/overlay/overlay_report.hpp"
 #include "cli/report/agreement_report.hpp"
 
@@ -46,14 +49,30 @@ std::string crossings_text(const PieceCrossings& crossings) {
   return text.empty() ? "-" : text;
 }
 
+// As many digits as tell points of the curves apart, five across their extent: eddies of 100 m in coordinates of 5e6 m
+// need more than those about the origin.
+int centroid_digits(const CurveOverlay& found) {
+  Rectangle box;
+  for (const Point& point : found.nodes.curve1().points) box.add(point);
+  for (const Point& point : found.nodes.curve2().points) box.add(point);
+  constexpr int usual = 5, all = 17;
+  const double largest =
+      std::max({std::fabs(box.min_x), std::fabs(box.max_x), std::fabs(box.min_y), std::fabs(box.max_y)});
+  int digits = usual;
+  for (double extent = std::max(box.width(), box.height()); digits < all && largest >= 10 * extent; extent *= 10)
+    ++digits;
+  return digits;
+}
+
 void add_pieces(std::string& text, const CurveOverlay& found, Pairing pairing, const char* label) {
   const Pieces& pieces = found.pieces(pairing);
   const Slivers slivers = find_slivers(found, pairing);
   text += fmt::format("\n{}: {}\n", label, pieces.size() == 0 ? "no lobe" : counted(pieces.size(), "lobe", "lobes"));
   if (pieces.size() == 0) return;
+  const int digits = centroid_digits(found), width = digits + 6;
   const Table table({{"lobe", 8, Align::right, 0},
                      {"area", 23},
-                     {"centroid", 26, Align::centre, 3},
+                     {"centroid", 2 * static_cast<std::size_t>(width) + 4, Align::centre, 3},
                      {"holes", 6},
                      {"crossings", 0, Align::left, 2}});
   text += table.head();
@@ -62,8 +81,8 @@ void add_pieces(std::string& text, const CurveOverlay& found, Pairing pairing, c
     const Piece piece = pieces[number];
     const Point at = centroid(found, pairing, number);
     text += table.row({std::to_string(number), fmt::format("{:.16g}", piece.area),
-                       fmt::format("({:>11.5g}, {:>11.5g})", at.x, at.y), std::to_string(piece.holes),
-                       crossings_text(piece.crossings)});
+                       fmt::format("({:>{}.{}g}, {:>{}.{}g})", at.x, width, digits, at.y, width, digits),
+                       std::to_string(piece.holes), crossings_text(piece.crossings)});
   }
   if (pieces.size() > order.size()) text += fmt::format("{:>8} and {} more\n", "...", pieces.size() - order.size());
   if (!slivers.pieces.empty()) {

@@ -25,6 +25,7 @@ CurvesReport run_on_curves(const std::string& operation, const std::array<std::s
     points += static_cast<double>(report.inputs[k].curve.points.size());
   }
   require_same_columns(report.inputs[0].curve, report.inputs[1].curve);
+  warn_of_longitudes(report.inputs[0], report.inputs[1], periods);
   move_near(report.inputs[1].curve.points, report.inputs[0].curve.points, periods);
   if (const Rectangle box = include(include({}, report.inputs[0].curve.points), report.inputs[1].curve.points);
       (periods.x != 0 && box.max_x - box.min_x > periods.x) || (periods.y != 0 && box.max_y - box.min_y > periods.y)) {
@@ -55,6 +56,13 @@ CurvesReport run_on_curves(const std::string& operation, const std::array<std::s
   }
   for (const std::string& remark : report.outcome.remarks) log_warning(remark);
   return report;
+}
+
+void warn_of_longitudes(const NamedCurve& first, const NamedCurve& second, Periods periods) {
+  if (periods.any()) return;
+  const std::string warning = longitudes_warning(first.curve, second.curve);
+  if (warning.empty()) return;
+  log_warning(warning + "; give --periodic " + (first.curve.latitude_first.value_or(false) ? "y" : "x") + "=360");
 }
 
 void write_curves_json(const std::string& path, std::string_view command, const std::string& operation,

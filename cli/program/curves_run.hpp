@@ -32,6 +32,9 @@ struct CurvesReport {
                                          const std::vector<operations::OptionSetting>& settings, Periods periods,
                                          Progress& progress);
 
+/// Warns of curves whose longitudes are counted differently (longitudes_warning), unless there is a period.
+void warn_of_longitudes(const NamedCurve& first, const NamedCurve& second, Periods periods);
+
 /// Writes the JSON object of a command. `engine` are the engine's parts of the timing.
 void write_curves_json(const std::string& path, std::string_view command, const std::string& operation,
                        CurvesReport& report, const std::array<double, 2>& areas,

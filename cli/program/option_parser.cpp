@@ -76,19 +76,18 @@ std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
     const std::size_t at = sentence.find(word);
     return at == std::string::npos ? sentence : sentence.substr(0, at) + between + sentence.substr(at + word.size());
   };
+  // The value behind an option that is misspelt is taken for another argument, and the option may be missing.
+  const std::vector<std::string> unknown = app.remaining();
+  const auto misspelt = std::find_if(unknown.begin(), unknown.end(), looks_like_option);
+  if (misspelt != unknown.end()) return about_unknown(app, *misspelt);
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
-    const std::vector<std::string> unknown = app.remaining();
     return unknown.empty() ? sentence : about_unknown(app, unknown.front());
   }
   if (dynamic_cast<const CLI::ExcludesError*>(&error) != nullptr) {
     return names_around(" excludes ", " and ") + " cannot be given together";
   }
   if (dynamic_cast<const CLI::RequiresError*>(&error) != nullptr) return names_around(" requires ", " needs ");
-  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
-    const std::vector<std::string> unknown = app.remaining();  // an option that is misspelt is missing, too
-    const auto option = std::find_if(unknown.begin(), unknown.end(), looks_like_option);
-    return option != unknown.end() ? about_unknown(app, *option) : names_around(" is required", " is missing");
-  }
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) return names_around(" is required", " is missing");
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
     const CLI::Option* const option = subject_of(app, sentence);
     return option == nullptr ? sentence : about_values(*option);

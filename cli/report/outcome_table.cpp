@@ -15,7 +15,7 @@ using operations::Field;
 using operations::FieldKind;
 using operations::FieldValue;
 
-constexpr std::size_t rows_shown = 50, numbers_shown = 4;
+constexpr std::size_t rows_shown = 50, numbers_shown = 4, characters_shown = 40;
 
 std::string number_and(std::size_t count, const char* one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
@@ -57,6 +57,41 @@ bool is_column(const Field& field) {
 }
 
 using Row = std::vector<std::string>;
+
+// Long texts in a table, such as why a row failed: the beginning in the cell, all of it below the table, each text
+// once.
+class LongTexts {
+ public:
+  // The cell of a column in a row that begins with `row`.
+  std::string cell(const std::string& column, const std::string& row, std::string text) {
+    if (text.size() <= characters_shown || table_format() == TableFormat::markdown) return text;
+    std::size_t end = characters_shown - 3;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // within a character
+    std::string shortened = text.substr(0, end) + "...";
+    const auto known = std::find_if(lines_.begin(), lines_.end(), [&](const Line& line) { return line.text == text; });
+    if (known == lines_.end()) {
+      lines_.push_back({column + " at " + row, std::move(text)});
+    } else {
+      ++known->more;
+    }
+    return shortened;
+  }
+  [[nodiscard]] std::string below() const {
+    std::string all;
+    for (const Line& line : lines_) {
+      all +=
+          "  " + line.where + (line.more > 0 ? fmt::format(" and {} more", line.more) : "") + ": " + line.text + '\n';
+    }
+    return all;
+  }
+
+ private:
+  struct Line {
+    std::string where, text;
+    std::size_t more = 0;
+  };
+  std::vector<Line> lines_;
+};
 
 // Columns as wide as the widest cell.
 std::string table_of(std::vector<Column> columns, const std::vector<Row>& rows) {
@@ -134,18 +169,23 @@ class OutcomeText {
       columns.push_back({.name = member.name, .unit = member.unit});
       if (!member.bar.empty()) columns.push_back({.name = "+-", .unit = member.unit});
     }
+    LongTexts long_texts;
     for (std::size_t k = 0; k < std::min(all.size, rows_shown); ++k) {
       all.at(k, [&](const void* element) {
         Row& row = rows.emplace_back();
         for (const Field& member : field.members) {
           if (!is_column(member)) continue;
           const FieldValue value = member.get(element);
-          row.push_back(std::visit(Text{}, value));
+          std::string text = std::visit(Text{}, value);
+          if (!row.empty() && (member.kind == FieldKind::text || member.kind == FieldKind::lines)) {
+            text = long_texts.cell(member.name, columns.front().name + " = " + row.front(), std::move(text));
+          }
+          row.push_back(std::move(text));
           if (!member.bar.empty()) row.push_back(bar_of(value));
         }
       });
     }
-    lists_ += '\n' + name + '\n' + table_of(std::move(columns), rows);
+    lists_ += '\n' + name + '\n' + table_of(columns, rows) + long_texts.below();
     if (all.size > rows_shown) lists_ += fmt::format("  and {} more (--json has all)\n", all.size - rows_shown);
   }
 

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "cli/program/command_line.hpp"
+#include "cli/program/curves_run.hpp"
 #include "cli/program/log.hpp"
 #include "cli/program/progress.hpp"
 #include "cli/program/running.hpp"
@@ -122,6 +123,7 @@ void read_inputs(const TangleRequest& request, Progress& progress, TangleReport&
   }
   report.specs = specs;
   report.periods = request.periods;
+  warn_of_longitudes(report.inputs[0], report.inputs[1], request.periods);
   move_near(report.inputs[1].curve.points, report.inputs[0].curve.points, request.periods);
   require_same_columns(report.inputs[0].curve, report.inputs[1].curve);
   report.reversed = request.reverse;

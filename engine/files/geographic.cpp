@@ -9,6 +9,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/text.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::detail {
 namespace {
@@ -60,14 +61,16 @@ Ranges ranges_of(std::span<const Point> points, bool latitude_first) {
 struct Jumps {
   std::size_t count = 0, first = 0;  ///< segments that run half around the earth, and the first of them
   double largest_other = 0;          ///< steps of the others
+  bool at_zero = false;              ///< the first is at the meridian of 0, where longitudes are those from 0 to 360
 };
 
 Jumps jumps_in(std::span<const Point> points, bool latitude_first) {
   Jumps jumps;
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-    const double step = std::fabs(latitude_first ? points[k + 1].y - points[k].y : points[k + 1].x - points[k].x);
+    const double from = latitude_first ? points[k].y : points[k].x,
+                 to = latitude_first ? points[k + 1].y : points[k + 1].x, step = std::fabs(to - from);
     if (step > 180) {
-      if (jumps.count++ == 0) jumps.first = k;
+      if (jumps.count++ == 0) jumps.first = k, jumps.at_zero = from >= 0 && to >= 0;
     } else {
       jumps.largest_other = std::max(jumps.largest_other, step);
     }
@@ -89,6 +92,40 @@ std::optional<NamedColumns> named_columns(const std::vector<std::string>& words)
   return NamedColumns{words[std::min(longitude, latitude)], words[std::max(longitude, latitude)], latitude < longitude};
 }
 
+// Facts about the columns of a curve.
+struct Geography {
+  std::optional<NamedColumns> named;
+  bool degrees = false;               ///< the points are longitudes and latitudes
+  std::optional<std::size_t> jump{};  ///< the first segment that runs back across the map
+  bool at_zero = false;               ///< at the meridian of 0, not the date line
+
+  [[nodiscard]] bool latitude_first() const { return named && named->latitude_first; }
+  [[nodiscard]] std::string warning() const {
+    if (!jump) return {};
+    return "its segment " + std::to_string(*jump) + " runs back across the whole map where the curve crosses the " +
+           (at_zero ? "meridian of 0" : "date line");
+  }
+  [[nodiscard]] std::string remedy() const {
+    return at_zero ? "subtract 360 from longitudes above 180" : "add 360 to longitudes below 0";
+  }
+};
+
+Geography geography_of(const std::vector<std::string>& words, std::span<const Point> points) {
+  constexpr std::size_t enough = 16;
+  constexpr double much_shorter = 30;  // degrees
+  Geography found{named_columns(words)};
+  if (!found.named && points.size() < enough) return found;
+  const Ranges ranges = ranges_of(points, found.latitude_first());
+  if (!ranges.degrees || (!found.named && !ranges.half_way)) return found;
+  const Jumps jumps = jumps_in(points, found.latitude_first());
+  if (jumps.count > 0 && jumps.largest_other < much_shorter) {
+    found.jump = jumps.first;
+    found.at_zero = jumps.at_zero;
+  }
+  found.degrees = found.named || found.jump;
+  return found;
+}
+
 }  // namespace
 
 std::optional<bool> latitude_first(std::string_view header) {
@@ -96,30 +133,55 @@ std::optional<bool> latitude_first(std::string_view header) {
   return named ? std::optional(named->latitude_first) : std::nullopt;
 }
 
-std::string columns_remark(std::string_view header, std::span<const Point> points) {
-  constexpr std::size_t enough = 16;
-  constexpr double much_shorter = 30;  // degrees
+std::string period_of_longitudes(const Curve& curve) {
+  return std::string("periodic = \"") + (curve.latitude_first.value_or(false) ? "y" : "x") + "=360\"";
+}
+
+ColumnsRemark columns_remark(std::string_view header, std::span<const Point> points) {
   const std::vector<std::string> words = words_of(header);
   if (words.size() >= 2 && words[0] == "y" && words[1] == "x") {
-    return "has columns named y and x, which are taken as x and y in that order";
+    return {"has columns named y and x, which are taken as x and y in that order", {}};
   }
-  const std::optional<NamedColumns> named = named_columns(words);
-  if (!named && points.size() < enough) return {};
-  const bool swapped = named && named->latitude_first;
-  const Ranges ranges = ranges_of(points, swapped);
-  if (!ranges.degrees || (!named && !ranges.half_way)) return {};
-  const Jumps jumps = jumps_in(points, swapped);
-  const bool crosses = jumps.count > 0 && jumps.largest_other < much_shorter;
-  if (!named && !crosses) return {};
-  std::string text = named ? "has columns named " + named->first + " and " + named->second +
-                                 ", which are taken as x and y in that order"
-                           : "looks like longitudes and latitudes, which are taken as x and y";
-  text += "; areas are those of the plane, in square degrees";
-  if (crosses) {
-    text += ", and its segment " + std::to_string(jumps.first) +
-            " runs back across the whole map where the curve crosses the date line: add 360 to longitudes below 0";
+  const Geography geography = geography_of(words, points);
+  if (!geography.degrees) return {};
+  ColumnsRemark remark{geography.named ? "has columns named " + geography.named->first + " and " +
+                                             geography.named->second + ", which are taken as x and y in that order"
+                                       : "looks like longitudes and latitudes, which are taken as x and y",
+                       geography.warning()};
+  remark.text += "; areas are those of the plane, in square degrees";
+  if (!remark.warning.empty()) {
+    remark.text += ", and " + remark.warning + ": " + geography.remedy() + ", or give --periodic " +
+                   (geography.latitude_first() ? "y" : "x") + "=360";
   }
-  return text;
+  return remark;
 }
 
 }  // namespace lober::detail
+
+namespace lober {
+
+std::string longitudes_warning(const Curve& first, const Curve& second) {
+  if (!first.latitude_first || first.latitude_first != second.latitude_first) return {};
+  const bool swapped = *first.latitude_first;
+  struct Range {
+    double west, east, south, north;
+    [[nodiscard]] bool in_degrees() const { return west >= -360 && east <= 360 && south >= -90 && north <= 90; }
+    [[nodiscard]] std::string to_string() const {
+      return "from " + detail::format_rounded(west, 6) + " to " + detail::format_rounded(east, 6);
+    }
+  };
+  const auto range = [&](const Curve& curve) {
+    Rectangle box;
+    for (const Point& point : curve.points) box.add(point);
+    return swapped ? Range{box.min_y, box.max_y, box.min_x, box.max_x}
+                   : Range{box.min_x, box.max_x, box.min_y, box.max_y};
+  };
+  const Range one = range(first), other = range(second);
+  if (!one.in_degrees() || !other.in_degrees() || one.north < other.south || other.north < one.south) return {};
+  const auto meets = [&](double turn) { return one.west < other.east + turn && other.west + turn < one.east; };
+  if (!meets(360) && !meets(-360)) return {};
+  return "longitudes of " + first.name + " are " + one.to_string() + ", those of " + second.name + " " +
+         other.to_string() + ": where they differ by 360 the curves are on the same place of the earth and do not meet";
+}
+
+}  // namespace lober

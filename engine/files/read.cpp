@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -7,7 +6,6 @@
 
 #include "engine/base/file_activity.hpp"
 #include "engine/base/file_bytes.hpp"
-#include "engine/base/nearest_word.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/text.hpp"
 #include "engine/files/closing.hpp"
@@ -16,10 +14,10 @@
 #include "engine/files/formats/format_table.hpp"
 #include "engine/files/formats/gzip.hpp"
 #include "engine/files/geographic.hpp"
-#include "engine/files/number.hpp"
 #include "engine/files/plausible.hpp"
 #include "engine/files/read_memory.hpp"
 #include "engine/files/sniff.hpp"
+#include "engine/files/zone_names.hpp"
 #include "lober/curve/cylinders.hpp"
 #include "lober/curve/files.hpp"
 
@@ -27,49 +25,9 @@ namespace lober {
 using namespace detail;
 namespace {
 
-/// Whether a number behind '#' is that of a group or a row, not a position.
-bool are_numbers(const CurveFile& file) {
-  double ignored = 0;
-  return file.titled_by_group && std::all_of(file.zones.begin(), file.zones.end(), [&](const Zone& zone) {
-           return parse_number(zone.title, ignored) == NumberKind::finite;
-         });
-}
-
-/// "FILE#0 to FILE#5"
-std::string choices(const std::string& path, const CurveFile& file) {
-  const auto one = [&](std::size_t k) {
-    return path + "#" + (are_numbers(file) ? file.zones[k].title : std::to_string(k));
-  };
-  return one(0) + " to " + one(file.zones.size() - 1);
-}
-
 bool exists(const std::string& path) {
   std::error_code ignored;
   return path == "-" || std::filesystem::exists(path, ignored);
-}
-
-/// The zone that `choice` names: by its index when it is a number, otherwise by its title.
-std::size_t choose_zone(const CurveFile& file, const std::string& choice) {
-  const std::size_t zones = file.zones.size();
-  const auto fail = [&](const std::string& message) { throw DataError(file.path + ": " + message); };
-  std::size_t index = 0;
-  const char* const end = choice.data() + choice.size();
-  const auto [stop, error] = std::from_chars(choice.data(), end, index);
-  if (stop == end && error != std::errc::invalid_argument && !are_numbers(file)) {
-    if (error == std::errc{} && index < zones) return index;
-    fail("has no zone " + choice + (zones == 1 ? ", only " + file.path + "#0" : ", only " + choices(file.path, file)));
-  }
-  const auto titled = [&](const Zone& zone) { return zone.title == choice; };
-  const auto found = std::find_if(file.zones.begin(), file.zones.end(), titled);
-  if (found == file.zones.end()) {
-    std::vector<std::string> titles;
-    for (const Zone& zone : file.zones) titles.push_back(zone.title);
-    fail("has no zone titled \"" + choice + "\"" + did_you_mean(choice, titles));
-  }
-  if (std::find_if(found + 1, file.zones.end(), titled) != file.zones.end()) {
-    fail("has several zones titled \"" + choice + "\"; choose one of " + choices(file.path, file));
-  }
-  return static_cast<std::size_t>(found - file.zones.begin());
 }
 
 }  // namespace
@@ -158,7 +116,7 @@ CurveFile read_curves(const std::string& spec, const ReadOptions& options) {
   const CurveSpec parts = split_spec(spec);
   CurveFile file = read_file_of(parts, spec, options);
   if (parts.zone) {
-    Zone chosen = std::move(file.zones[choose_zone(file, *parts.zone)]);
+    Zone chosen = std::move(file.zones[ZoneNames(file).find(*parts.zone)]);
     file.zones.clear();
     file.zones.push_back(std::move(chosen));
   }
@@ -175,11 +133,14 @@ NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& o
   if (!chosen && result.zones > 1) {
     const std::string before = parts.columns.empty() ? path : path + ":" + parts.columns;
     throw DataError(path + ": has " + std::to_string(result.zones) + " zones; choose one with " +
-                    choices(before, file));
+                    ZoneNames(file).range(before));
   }
-  if (chosen) result.zone = choose_zone(file, *parts.zone);
+  {
+    const ZoneNames names(file);
+    if (chosen) result.zone = names.find(*parts.zone);
+    if (names.named_by_title(result.zone)) result.group = names.name(result.zone);
+  }
   Zone& zone = file.zones[result.zone];
-  if (file.titled_by_group) result.group = zone.title;
   result.curve = {std::move(zone.points), closed, zone.title.empty() ? path : zone.title};
   const std::size_t seams = unwrap(result.curve.points, options.periods);
   result.file = path;
@@ -190,9 +151,9 @@ NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& o
     require_closed_in_the_plane(result.curve.points, options.periods, spec);
     if (result.curve.points.size() == given) result.remark = closing_remark(result.curve.points);
   }
-  if (const std::string columns = columns_remark(file.header, result.curve.points); !columns.empty()) {
-    result.remark = columns + (result.remark.empty() ? "" : "; " + result.remark);
-  }
+  ColumnsRemark columns = columns_remark(file.header, result.curve.points);
+  if (!columns.text.empty()) result.remark = columns.text + (result.remark.empty() ? "" : "; " + result.remark);
+  result.warning = std::move(columns.warning);
   if (seams > 0) {
     result.remark += result.remark.empty() ? "" : "; ";
     result.remark += "crosses the seam of a period " + std::to_string(seams) + (seams == 1 ? " time" : " times") +

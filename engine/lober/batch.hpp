@@ -73,6 +73,9 @@ struct QueueReport {
   double operation_seconds = 0;      ///< time of threads in operations
   double callback_seconds = 0;       ///< time of threads in the callback, and waiting for it
   int threads = 0;                   ///< number of threads
+  /// A line for each curve, and each pair, whose results may not mean what a user thinks, because of longitudes that
+  /// were stored modulo 360 and no period in the manifest; sorted, the first thousand that were found.
+  std::vector<std::string> warnings{};
 };
 
 /// How far a run is. Costs are in the unit of Operation::cost.

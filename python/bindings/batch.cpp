@@ -32,6 +32,7 @@ py::dict dict_of_report(const BatchReport& report) {
   parts["threads"] = report.queue.threads;
   parts["seconds"] = report.wall_seconds;
   parts["damaged"] = report.damaged;
+  parts["warnings"] = report.queue.warnings;
   return parts;
 }
 

@@ -23,11 +23,16 @@ py::tuple read_zones(const std::string& path, bool hash, const std::string& colu
   return py::make_tuple(name(file.format), file.sha256, zones);
 }
 
-py::array read_one(const std::string& spec, bool closed, double period_x, double period_y) {
+// The points, and a warning, which is nearly always empty.
+py::tuple read_one(const std::string& spec, bool closed, double period_x, double period_y) {
   NamedCurve found = long_call(0, [&] {
     return read_curve(spec, closed, {.hash = false, .periods = {period_x, period_y}});
   });
-  return array_of(std::move(found.curve.points));
+  std::string warning = std::move(found.warning);
+  if (!warning.empty()) {
+    warning += found.curve.latitude_first.value_or(false) ? "; give periods=(None, 360)" : "; give periods=360";
+  }
+  return py::make_tuple(array_of(std::move(found.curve.points)), warning);
 }
 
 Format format_named(const std::string& format) {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import os
+import warnings
 from dataclasses import dataclass
 from typing import Any, Iterator, Mapping, Union
 
@@ -80,11 +81,15 @@ def read(
 
     The format is recognised by the content, compressed by gzip or not: `formats()` lists them. A closed curve loses a
     last point that repeats the first. `periods` are those of x and y, None for none; a number is that of x, as of
-    longitudes: 360. A curve that was stored modulo them is followed across the seam. Raises UsageError, DataError, which
+    longitudes: 360. A curve that was stored modulo them is followed across the seam; a warning is issued for longitudes
+    that jump at the date line without a period. Raises UsageError, DataError, which
     names file and line.
     """
     x, y = _periods_of(periods)
-    return _lober.read_one(os.fspath(path), closed, x, y)
+    points, warning = _lober.read_one(os.fspath(path), closed, x, y)
+    if warning:
+        warnings.warn(f"{os.fspath(path)}: {warning}", stacklevel=2)
+    return points
 
 
 def _periods_of(periods: Any) -> tuple[float, float]:

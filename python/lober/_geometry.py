@@ -8,8 +8,8 @@ import numpy as np
 
 from .errors import UsageError
 
-#: Names of the two coordinates, in tables and datasets.
-COORDINATES = (("x", "y"), ("lon", "lat"), ("longitude", "latitude"))
+#: Names of x and of y, in tables, datasets and labels, in any case.
+COORDINATES = ((("x",), ("y",)), (("lon", "longitude", "long", "lng"), ("lat", "latitude")))
 
 
 def array_of_geometry(curve: Any, name: str) -> Any:
@@ -83,16 +83,27 @@ def _of_mapping(geometry: Mapping[str, Any], name: str) -> Any:
 
 
 def _of_table(table: Any, name: str) -> Any:
-    """Columns x and y, or the only two."""
-    chosen = _named(table.columns, name) if len(table.columns) != 2 else list(table.columns)
-    return table[chosen].to_numpy()
+    """Columns x and y by their names, or the only two, whose names say nothing, in their order."""
+    chosen = _known(table.columns)
+    if chosen is None and len(table.columns) == 2:
+        return table.to_numpy()
+    return table[chosen or _named(table.columns, name)].to_numpy()
+
+
+def _known(names: Any) -> list[Any] | None:
+    """Those of x and y among names, in this order; None where there are not both."""
+    by_lower = {str(one).lower(): one for one in names}
+    for all_x, all_y in COORDINATES:
+        x, y = (next((one for one in words if one in by_lower), None) for words in (all_x, all_y))
+        if x is not None and y is not None:
+            return [by_lower[x], by_lower[y]]
+    return None
 
 
 def _named(names: Any, name: str) -> list[Any]:
-    by_lower = {str(one).lower(): one for one in names}
-    for x, y in COORDINATES:
-        if x in by_lower and y in by_lower:
-            return [by_lower[x], by_lower[y]]
+    known = _known(names)
+    if known is not None:
+        return known
     raise UsageError(f"{name} has no columns x and y, nor lon and lat: {', '.join(map(str, names))}")
 
 
@@ -104,9 +115,21 @@ def array_of_labelled(given: Any, name: str) -> Any:
             raise UsageError(f"{name}: {x.name} and {y.name} have different dimensions, {x.dims} and {y.dims}")
         return np.stack([x.values, y.values], axis=-1)
     array = given.values
-    if array.dtype.kind == "c" or array.ndim < 2 or given.dims[-1] in ("coordinate", "xy", "axis"):
+    if array.dtype.kind == "c" or array.ndim < 2:
         return array
+    if given.dims[-1] in ("coordinate", "xy", "axis"):
+        return _in_order(array, given, array.ndim - 1)
     pairs = [k for k, size in enumerate(array.shape) if size == 2]
     named = [k for k in pairs if given.dims[k] in ("coordinate", "xy", "axis", "component")]
     axis = named[0] if named else pairs[-1] if pairs else array.ndim - 1
-    return np.moveaxis(array, axis, -1)
+    return np.moveaxis(_in_order(array, given, axis), axis, -1)
+
+
+def _in_order(array: Any, given: Any, axis: int) -> Any:
+    """With x before y along the axis, where its labels name them."""
+    dimension = given.dims[axis]
+    labels = [str(one) for one in given.coords[dimension].values] if dimension in given.coords else []
+    known = _known(labels)
+    if len(labels) != 2 or known is None or known == labels:
+        return array
+    return np.flip(array, axis)

@@ -4,6 +4,7 @@ import csv
 import gzip
 import json
 import subprocess
+import warnings
 
 import numpy as np
 import pytest
@@ -240,3 +241,20 @@ def test_geojson_provenance(tmp_path):
     lober.write(tmp_path / "c.geojson", ring(5), notes={"input": 'a "b"'})
     data = json.loads((tmp_path / "c.geojson").read_text())
     assert data["provenance"] == {"lober": lober.__version__, "input": 'a "b"'}
+
+
+def test_date_lines_are_warned_of(tmp_path):
+    path = tmp_path / "box.csv"
+    path.write_text("lon,lat\n178,10\n-178,10\n-178,14\n178,14\n")
+    with pytest.warns(UserWarning, match="segment 0 runs back across the whole map .* give periods=360"):
+        lober.read(path)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert lober.area(lober.read(path, periods=360)) == 16
+    (tmp_path / "other.csv").write_text("lon,lat\n170,10\n179,10\n179,14\n170,14\n")
+    manifest = {"operation": "overlay", "curves": [str(path), str(tmp_path / "other.csv")]}
+    with pytest.warns(UserWarning, match="the manifest needs periodic = \"x=360\""):
+        lober.batch.run(manifest, tmp_path / "a.results")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        lober.batch.run({**manifest, "periodic": "x=360"}, tmp_path / "b.results")

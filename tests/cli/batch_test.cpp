@@ -57,6 +57,47 @@ TEST_F(Batch, AllPairsInThreeLines) {
   EXPECT_EQ(first["pieces_c1_minus_c2"], single["pieces"]["c1_minus_c2"].size());
 }
 
+// One box in longitudes from -180 to 180, one in those from 0 to 360, and one across the date line: each face says it.
+TEST_F(Batch, LongitudesOfDifferentRangesAreWarnedOf) {
+  const auto box = [&](const std::string& name, double west, double east) {
+    const std::string w = std::to_string(west), e = std::to_string(east);
+    write(name, "lon,lat\n" + w + ",10\n" + e + ",10\n" + e + ",14\n" + w + ",14\n");
+  };
+  box("west", -170, -166);
+  box("east", 191, 195);
+  box("line", 178, -178);
+  const std::string manifest = "operation = \"overlay\"\ncurves = [\"west\", \"east\", \"line\"]\npairs = \"all\"\n";
+  write("job.toml", manifest);
+  const nlohmann::json warned = report({"job.toml"});
+  ASSERT_EQ(warned["warnings"].size(), 2) << warned["warnings"];
+  const std::string line = warned["warnings"][0], pair = warned["warnings"][1];
+  EXPECT_NE(line.find("line: its segment 0 runs back across the whole map"), std::string::npos) << line;
+  EXPECT_NE(pair.find("longitudes of west are from -170 to -166, those of east from 191 to 195"), std::string::npos)
+      << pair;
+  for (const std::string& one : {line, pair}) EXPECT_NE(one.find("periodic = \"x=360\""), std::string::npos) << one;
+  const Outcome single = run({"overlay", "west", "east"});
+  EXPECT_NE(single.err.find("give --periodic x=360"), std::string::npos) << single.err;
+
+  write("job.toml", manifest + "periodic = \"x=360\"\n");
+  EXPECT_EQ(report({"job.toml"})["warnings"].size(), 0);
+  const std::string lines = exported("job.results", "jsonl");
+  const nlohmann::json first = nlohmann::json::parse(lines.substr(0, lines.find('\n')));
+  EXPECT_EQ(first["intersection"], 12);
+  const Outcome mended = run({"overlay", "west", "east", "--periodic", "x=360"});
+  EXPECT_EQ(mended.err.find("360"), std::string::npos) << mended.err;
+  EXPECT_EQ(overlay({"line", "line", "--periodic", "x=360"})["areas"]["c1"], 16);
+}
+
+TEST_F(Batch, CheckListsTheFirstSettingsOfAGrid) {
+  write("job.toml",
+        "operation = \"escape\"\noptions = { system = \"capsize\" }\ngrid = { energy = \"0.251:0.30:0.001\" }\n");
+  const Outcome outcome = run({"batch", "check", "job.toml"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_LT(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 20) << outcome.out;
+  EXPECT_NE(outcome.out.find("and 40 more settings"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("jobs without curves are counted with"), std::string::npos) << outcome.out;
+}
+
 TEST_F(Batch, OperationsAreListedWithTheirOptions) {
   const auto list = nlohmann::json::parse(run({"batch", "operations", "--json", "-"}).out)["operations"];
   ASSERT_EQ(list.size(), operations::all().size());

@@ -95,6 +95,9 @@ TEST_F(Densify, DiagnosticsAreListed) {
   const Outcome outcome =
       densify({"square", "-o", "out.csv", "--max-length", "0.001", "--max-points", "100", "--json", "-"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("the curve has 100 points and does not meet the criteria"), std::string::npos)
+      << outcome.err;
+  EXPECT_NE(outcome.err.find("--max-points"), std::string::npos) << outcome.err;
   const auto json = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(json["result"]["points"], 100);
   EXPECT_EQ(json["diagnostics"]["counts"]["max_points"], 4);

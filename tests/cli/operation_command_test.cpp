@@ -108,6 +108,11 @@ TEST_F(OperationCommand, ValuesThatFailAreInTheStatus) {
   EXPECT_EQ(own.status, 1);
   EXPECT_NE(table.err.find("1 of 2 values failed, the first at k = -2"), std::string::npos) << table.err;
   EXPECT_NE(table.out.find("\nrows\n"), std::string::npos) << table.out;
+  // The reason is whole below the table, and short in it.
+  const std::size_t cell = table.out.find("..."), whole = table.out.find("\n  failure at value = -2: ");
+  ASSERT_NE(cell, std::string::npos) << table.out;
+  ASSERT_NE(whole, std::string::npos) << table.out;
+  EXPECT_LT(cell, whole);
 }
 
 TEST_F(OperationCommand, NamesTheFileOfACurveThatCrossesItself) {

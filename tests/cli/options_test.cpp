@@ -33,6 +33,8 @@ TEST_F(Options, AreRefusedInOneSentence) {
       {{"grow", "--frm"}, "there is no option --frm; did you mean --from? (see lober grow --help)"},
       {{"escape", "capsize", "--energy", "x"}, "--energy: \"x\" cannot be read as a number (see lober escape --help)"},
       {{"overley", "a", "b"}, "\"overley\" is neither a command nor a file; did you mean overlay? (see lober --help)"},
+      {{"image", "standard", "--circle", "3,0,0.5", "--budget", "5"},
+       "there is no option --budget (see lober image --help)"},
       {{"grow"}, "--system is missing (see lober grow --help)"},
       {{"--bogus"}, "unknown option --bogus (see lober --help)"},
   };

@@ -252,5 +252,15 @@ TEST_F(ProgramTest, OverlayTellsClasses) {
   EXPECT_EQ(run({"overlay", curves + "#C1", curves + "#C2", "--classes", "--rule", "nonzero"}).status, 2);
 }
 
+// Coordinates of UTM: the digits that tell the centroids of two lobes of a small eddy apart.
+TEST_F(OverlayProgram, CentroidsHaveTheDigitsThatTheExtentNeeds) {
+  const std::vector<Point> first{{500000, 5000000}, {500100, 5000000}, {500100, 5000100}, {500000, 5000100}},
+      second{{500050, 5000050}, {500150, 5000050}, {500150, 5000150}, {500050, 5000150}};
+  write_curve("first", first);
+  write_curve("second", second);
+  const std::string table = run({"overlay", "first", "second"}).out;
+  EXPECT_NE(table.find("500041.667,      5000041.67)"), std::string::npos) << table;
+}
+
 }  // namespace
 }  // namespace lober::cli

@@ -274,6 +274,38 @@ TEST_F(BatchPicture, DrawsAResultOverTwoOptionsOrOne) {
   EXPECT_TRUE(has_text(svg, "3 jobs"));
 }
 
+class EscapePicture : public ProgramTest {};
+
+// Fractions are lists whose length depends on the options: each element is a column, and one of them is drawn.
+TEST_F(EscapePicture, DrawsAFractionOverTheEnergy) {
+  write("job.toml",
+        "operation = \"escape\"\noptions = { system = \"capsize\", crossings = 2, monte_carlo = 0, tolerance = 1e-4 }\n"
+        "grid = { energy = [0.251, 0.27] }\n");
+  ASSERT_EQ(run({"batch", "run", "job.toml"}).status, 0);
+  ASSERT_EQ(run({"batch", "picture", "job.results", "--picture", "p.svg"}).status, 0);
+  EXPECT_TRUE(has_text(read("p.svg"), "capsize: fraction_1_1_2"));
+  const std::string table = run({"batch", "export", "job.results"}).out, head = table.substr(0, table.find('\n'));
+  for (const char* const column : {"energy", "fraction_1_1_2", "fraction_2_1_1_error", "fraction_2_2_2"}) {
+    EXPECT_NE(head.find(std::string(",") + column + ","), std::string::npos) << head;
+  }
+  const std::string lines = run({"batch", "export", "job.results", "--format", "jsonl"}).out;
+  const Json job = Json::parse(lines.substr(0, lines.find('\n')));
+  const Json single = Json::parse(run({"escape", "capsize", "--energy", "0.251", "--crossings", "2", "--monte-carlo",
+                                       "0", "--tolerance", "1e-4", "--json", "-"})
+                                      .out);
+  ASSERT_EQ(single["table"].size(), 8);
+  for (std::size_t k = 0; k < 8; ++k) {
+    const Json& row = single["table"][k];
+    const std::string name =
+        "fraction_" + std::to_string(k / 4 + 1) + "_" + std::to_string(k / 2 % 2 + 1) + "_" + row["crossings"].dump();
+    EXPECT_EQ(job[name], row["fraction"]) << name;
+    EXPECT_EQ(job[name + "_error"], row["error"]) << name;
+    EXPECT_EQ(row["entrance"] == single["table"][0]["entrance"], k < 4) << k;
+  }
+  ASSERT_EQ(run({"batch", "export", "job.results", "-o", "job.npy"}).status, 0);
+  EXPECT_NE(read("job.npy").find("fraction_2_2_2_error"), std::string::npos);
+}
+
 TEST_F(BatchPicture, SaysWhatToChoose) {
   const auto refused = [&](const std::vector<std::string>& more, const std::string& why) {
     const Outcome outcome = picture(more);

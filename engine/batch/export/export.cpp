@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -56,6 +57,37 @@ const Operation& operation_for(const Plan& plan, const std::optional<std::string
   }
   if (only == nullptr) throw UsageError("the plan has no operation " + name.value_or(""));
   return *only->operation;
+}
+
+// A table of fixed columns: those of the operation, and those into which it spreads the lists of any result.
+struct SpreadTable {
+  Operation operation;
+  EachResult results;
+};
+
+SpreadTable spread_table(const Operation& operation, const EachResult& results) {
+  SpreadTable table{operation, results};
+  if (!operation.spread) return table;
+  std::map<std::string, std::size_t> positions;
+  results([&](const Result& result) {
+    if (result.failed()) return;
+    for (auto& [column, value] : operation.spread(result)) {
+      if (positions.emplace(column.name, table.operation.columns.size()).second) {
+        table.operation.columns.push_back(std::move(column));
+      }
+    }
+  });
+  table.results = [columns = table.operation.columns.size(), positions = std::move(positions), &operation,
+                   results](const std::function<void(const Result&)>& take) {
+    results([&](const Result& result) {
+      if (result.failed()) return take(result);
+      Result spread = result;
+      spread.values.resize(columns, std::numeric_limits<double>::quiet_NaN());
+      for (const auto& [column, value] : operation.spread(result)) spread.values[positions.at(column.name)] = value;
+      take(spread);
+    });
+  };
+  return table;
 }
 
 }  // namespace
@@ -113,7 +145,9 @@ ExportCounts detail::export_results(const Store& store, const std::string& path,
   const Plan plan = plan_of(store);
   ExportCounts counts;
   // Tables of fixed columns go through the results twice, first for the widths of texts and which columns there are.
-  const double passes = format == ExportFormat::json_lines || format == ExportFormat::csv ? 1 : 2;
+  const bool lines = format == ExportFormat::json_lines;
+  const Operation* const of_table = lines ? nullptr : &operation_for(plan, operation);
+  const double passes = (lines || format == ExportFormat::csv ? 1 : 2) + (of_table && of_table->spread ? 1 : 0);
   double pass = 0;
   const EachResult results = [&](const std::function<void(const Result&)>& take) {
     const Progress share([&](double part) { return progress((pass + part) / passes); });
@@ -122,16 +156,15 @@ ExportCounts detail::export_results(const Store& store, const std::string& path,
   };
   require_no_curve(path, store, plan);
   OutputFile file(path);
-  if (format == ExportFormat::json_lines) {
+  if (lines) {
     write_json_lines(file, plan, results);
-  } else if (format == ExportFormat::csv) {
-    write_csv(file, plan, operation_for(plan, operation), results);
-  } else if (format == ExportFormat::netcdf) {
-    write_netcdf(file, plan, operation_for(plan, operation), results);
-  } else if (format == ExportFormat::hdf5) {
-    write_hdf5(file, plan, operation_for(plan, operation), results);
   } else {
-    write_npy_table(file, plan, operation_for(plan, operation), results);
+    const SpreadTable table = spread_table(*of_table, results);
+    const auto write = format == ExportFormat::csv      ? write_csv
+                       : format == ExportFormat::netcdf ? write_netcdf
+                       : format == ExportFormat::hdf5   ? write_hdf5
+                                                        : write_npy_table;
+    write(file, plan, table.operation, table.results);
   }
   file.commit();
   return counts;

@@ -99,6 +99,11 @@ void write_json_lines(OutputFile& file, const Plan& plan, const EachResult& resu
         text +=
             "," + json_string(operation.columns[k].name) + ":" + json_number(operation.columns[k], result.values.at(k));
       }
+      if (operation.spread) {
+        for (const auto& [column, value] : operation.spread(result)) {
+          text += "," + json_string(column.name) + ":" + json_number(column, value);
+        }
+      }
       for (std::size_t k = 0; k < operation.lists.size(); ++k) {
         text += "," + json_string(operation.lists[k]) + ":[";
         const std::vector<double>& list = result.lists.at(k);

@@ -6,9 +6,14 @@
 #include <charconv>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <optional>
 #include <set>
+#include <span>
 
 #include "engine/batch/manifest/file_unit.hpp"
+#include "engine/files/sniff.hpp"
+#include "engine/files/zone_names.hpp"
 #include "lober/curve/curve.hpp"
 #include "lober/curve/files.hpp"
 
@@ -42,33 +47,59 @@ std::vector<std::string> matches(const std::string& manifest_path, const std::st
   return files;
 }
 
-std::vector<CurveSource> zones_of(const Manifest& manifest, const LocatedText& pattern, const CurveSource& whole,
-                                  const std::string& choice) {
-  const auto zone = [&](std::size_t number) {
-    CurveSource one = whole;
-    one.zone = number;
-    return one;
-  };
+std::optional<std::size_t> position_of(const std::string& choice) {
   std::size_t number = 0;
   const char* const end = choice.data() + choice.size();
   const auto [stop, error] = std::from_chars(choice.data(), end, number);
-  const bool is_number = stop == end && error == std::errc{};
-  // A number is that of a group where columns part curves, which the file says, and else a position.
-  if (is_number && whole.columns.empty()) return {zone(number)};
+  if (stop != end || error != std::errc{}) return std::nullopt;
+  return number;
+}
+
+// Whether a number may be the id of a group: in tables for which columns are chosen, and in files of arrays.
+bool may_be_grouped(const std::string& path, const std::string& columns) {
+  if (!columns.empty()) return true;
+  std::string head(4096, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  return !head.empty() && sniff(std::as_bytes(std::span(head))) != Content::text;
+}
+
+// The curves of `whole` that `choice` names, or all of them for "*". A number is the id of a group in some files and a
+// position in others, which the file says.
+std::vector<CurveSource> zones_of(const Manifest& manifest, const LocatedText& pattern, const CurveSource& whole,
+                                  const std::string& choice) {
+  const auto zone = [&](std::size_t number, std::string name) {
+    CurveSource one = whole;
+    one.zone = number;
+    one.zone_name = std::move(name);
+    return one;
+  };
+  const std::optional<std::size_t> position = position_of(choice);
   const std::string path = located(manifest.path, whole.file);
-  require_regular(path);
-  const CurveFile content = read_curve_file(path, {.hash = false, .columns = whole.columns});
-  if (is_number && !content.titled_by_group) return {zone(number)};
-  std::vector<CurveSource> sources;
-  for (std::size_t k = 0; k < content.zones.size(); ++k) {
-    if (choice == "*" || content.zones[k].title == choice) sources.push_back(zone(k));
+  if (position && !may_be_grouped(path, whole.columns)) return {zone(*position, {})};
+  CurveFile content;
+  try {
+    require_regular(path);
+    content = read_curve_file(path, {.hash = false, .columns = whole.columns});
+  } catch (const DataError&) {
+    if (position && whole.columns.empty()) return {zone(*position, {})};  // an error of its jobs, and the others run
+    throw;
   }
-  if (sources.empty() || (choice != "*" && sources.size() > 1)) {
-    manifest.fail(
-        pattern.line, pattern.key,
-        whole.file + " has " + (sources.empty() ? "no" : "more than one") + " zone titled \"" + choice + "\"");
+  content.path = whole.file;
+  const ZoneNames names(content);
+  const auto named = [&](std::size_t k) { return zone(k, names.named_by_title(k) ? names.name(k) : std::string()); };
+  if (choice == "*") {
+    std::vector<CurveSource> sources;
+    for (std::size_t k = 0; k < content.zones.size(); ++k) sources.push_back(named(k));
+    return sources;
   }
-  return sources;
+  try {
+    return {named(names.find(choice))};
+  } catch (const DataError& error) {
+    if (position && !content.titled_by_group) return {zone(*position, {})};  // as above
+    manifest.fail(pattern.line, pattern.key, whole.file + std::string(error.what()).substr(whole.file.size() + 1));
+  }
 }
 
 }  // namespace

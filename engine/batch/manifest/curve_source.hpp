@@ -19,10 +19,13 @@ struct CurveSource {
   bool closed = true;
   std::string columns = {};  ///< columns of a table, as ReadOptions::columns
   Periods periods = {};      ///< as ReadOptions::periods
+  /// The name of the zone behind '#'; empty: its number. A name of the same curve everywhere, whatever reads it.
+  std::string zone_name = {};
 
-  /// FILE, FILE:COLUMNS and with #K; empty for a manifold.
+  /// FILE, FILE:COLUMNS and with #K or #GROUP, as `read_curve` takes it; empty for a manifold.
   [[nodiscard]] std::string location() const {
-    return file + (columns.empty() ? "" : ":" + columns) + (zone ? "#" + std::to_string(*zone) : "");
+    return file + (columns.empty() ? "" : ":" + columns) +
+           (zone ? "#" + (zone_name.empty() ? std::to_string(*zone) : zone_name) : "");
   }
   /// The name in messages and tables: the location, or how the curve is made.
   [[nodiscard]] std::string name() const { return recipe ? recipe->name(location()) : location(); }

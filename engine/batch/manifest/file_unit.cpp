@@ -5,6 +5,7 @@
 #include <new>
 #include <span>
 
+#include "engine/files/geographic.hpp"
 #include "lober/curve/curve.hpp"
 #include "lober/curve/cylinders.hpp"
 #include "lober/curve/files.hpp"
@@ -31,6 +32,9 @@ LoadedCurve take_zone(CurveFile& file, const CurveSource& wanted, bool last_use)
   Curve curve{last_use ? std::move(zone.points) : zone.points, wanted.closed, wanted.location()};
   curve.latitude_first = latitude_first(file);
   unwrap(curve.points, wanted.periods);
+  if (const std::string warning = columns_remark(file.header, curve.points).warning; !warning.empty()) {
+    loaded.warning = wanted.location() + ": " + warning + "; the manifest needs " + period_of_longitudes(curve);
+  }
   if (wanted.closed) {
     drop_closing_vertex(curve.points);
     try {

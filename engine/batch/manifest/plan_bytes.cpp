@@ -81,6 +81,7 @@ CurveRecipe recipe_of(const Json& from) {
 Json to_json(const CurveSource& source) {
   Json made{{"file", source.file}, {"closed", source.closed}};
   if (source.zone) made["zone"] = *source.zone;
+  if (!source.zone_name.empty()) made["zone_name"] = source.zone_name;
   if (!source.columns.empty()) made["columns"] = source.columns;
   if (source.periods.any()) made["periods"] = {source.periods.x, source.periods.y};
   if (source.recipe) made["recipe"] = to_json(*source.recipe);
@@ -92,6 +93,7 @@ CurveSource source_of(const Json& from) {
   source.closed = from.at("closed").get<bool>();
   source.periods = periods_of(from);
   if (const auto zone = from.find("zone"); zone != from.end()) source.zone = zone->get<std::size_t>();
+  if (const auto name = from.find("zone_name"); name != from.end()) source.zone_name = name->get<std::string>();
   if (const auto columns = from.find("columns"); columns != from.end()) source.columns = columns->get<std::string>();
   if (const auto recipe = from.find("recipe"); recipe != from.end()) source.recipe = recipe_of(*recipe);
   if (source.file.empty() && !source.recipe) throw DataError("a stored curve has neither a file nor a recipe");

@@ -20,19 +20,24 @@ bool has_column(const Operation& operation, const std::string& name) {
          std::find(operation.lists.begin(), operation.lists.end(), name) != operation.lists.end();
 }
 
+// By the name: a table of results has an operation with further columns.
+bool is_of(const JobGroup& group, const Operation& operation) {
+  return group.operation->name == operation.name;
+}
+
 }  // namespace
 
 std::vector<SweptOption> swept_options(const Plan& plan, const Operation& operation) {
   std::set<std::string> keys;
   for (const JobGroup& group : plan.groups) {
-    if (group.operation != &operation) continue;
+    if (!is_of(group, operation)) continue;
     for (const OptionSetting& setting : group.options.settings()) keys.insert(setting.key);
   }
   std::vector<SweptOption> swept;
   for (const std::string& key : keys) {
     std::set<std::string> values;
     for (const JobGroup& group : plan.groups) {
-      if (group.operation == &operation) values.insert(spelled_value(group.options.find(key)));
+      if (is_of(group, operation)) values.insert(spelled_value(group.options.find(key)));
     }
     if (values.size() > 1) swept.push_back({key, has_column(operation, key) ? "options." + key : key});
   }
@@ -50,7 +55,7 @@ std::string swept_values(const std::vector<SweptOption>& swept, const JobGroup& 
 
 const OptionValue& any_value(const SweptOption& swept, const Plan& plan, const Operation& operation) {
   for (const JobGroup& group : plan.groups) {
-    const OptionValue* const value = group.operation == &operation ? group.options.find(swept.key) : nullptr;
+    const OptionValue* const value = is_of(group, operation) ? group.options.find(swept.key) : nullptr;
     if (value != nullptr) return *value;
   }
   throw DataError("no group has the option " + swept.key);

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/batch/operations/allowance.hpp"
@@ -51,6 +52,9 @@ struct Operation {
   std::vector<OptionSpec> options = {};
   std::vector<Column> columns = {};  ///< names that SQL takes in quotes; of those in the table, see store_format
   std::vector<std::string> lists = {};
+  /// The elements of lists as columns of their own, which exports have behind the others: those of one result, where
+  /// their number depends on it. May be empty. A pure function of the values and lists.
+  std::function<std::vector<std::pair<Column, double>>(const Result&)> spread = {};
   /// Throws UsageError "key: message" for options that cannot go together; may be empty.
   std::function<void(const Options&)> check = {};
   std::function<Requirements(const Options&)> requirements;

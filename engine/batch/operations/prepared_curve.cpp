@@ -22,8 +22,8 @@ std::string refusal(const Work& work) {
 
 }  // namespace
 
-PreparedCurve::PreparedCurve(std::shared_ptr<const Curve> curve, const Requirements& requirements)
-    : curve_(std::move(curve)) {
+PreparedCurve::PreparedCurve(std::shared_ptr<const Curve> curve, const Requirements& requirements, std::string warning)
+    : curve_(std::move(curve)), warning_(std::move(warning)) {
   const Curve& given = *curve_;
   error_ = refusal([&] {
     if (requirements.index || requirements.simple) {

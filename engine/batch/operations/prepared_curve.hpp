@@ -32,8 +32,8 @@ struct Requirements {
 class PreparedCurve {
  public:
   /// Takes the curve and prepares the required data, for all operations that are going to use it. Nothing is thrown for
-  /// a curve that cannot be used: `error` says why.
-  PreparedCurve(std::shared_ptr<const Curve> curve, const Requirements& requirements);
+  /// a curve that cannot be used: `error` says why. `warning` is kept with it.
+  PreparedCurve(std::shared_ptr<const Curve> curve, const Requirements& requirements, std::string warning = {});
   /// A curve that could not even be read.
   explicit PreparedCurve(std::string error) : curve_(std::make_shared<const Curve>()), error_(std::move(error)) {}
   PreparedCurve(const PreparedCurve&) = delete;
@@ -45,6 +45,7 @@ class PreparedCurve {
   /// Why an operation with these requirements, which are among those it was prepared for, cannot use the curve; empty
   /// if it can. Requirements of other operations do not matter.
   [[nodiscard]] const std::string& error(const Requirements& requirements) const;
+  [[nodiscard]] const std::string& warning() const { return warning_; }
   [[nodiscard]] std::size_t memory() const;  ///< bytes
 
  private:
@@ -53,6 +54,7 @@ class PreparedCurve {
   std::optional<DiscretisationSums> sums_;
   /// Why no operation can use it; why those with these requirements cannot.
   std::string error_, not_closed_, not_simple_;
+  std::string warning_;
 };
 
 }  // namespace lober::detail

@@ -162,9 +162,10 @@ std::shared_ptr<CurveCache::Loaded> CurveCache::read_anew(const Unit& unit, cons
     const std::string name = curve.curve ? curve.curve->name : "";
     load_or(
         [&] {
-          made = curve.error.empty() ? std::make_shared<const PreparedCurve>(std::move(curve.curve),
-                                                                             members_[unit.first + k].requirements)
-                                     : std::make_shared<const PreparedCurve>(std::move(curve.error));
+          made = curve.error.empty()
+                     ? std::make_shared<const PreparedCurve>(
+                           std::move(curve.curve), members_[unit.first + k].requirements, std::move(curve.warning))
+                     : std::make_shared<const PreparedCurve>(std::move(curve.error));
         },
         [&](const char* message) { made = std::make_shared<const PreparedCurve>(name + ": " + message); });
   });

@@ -18,8 +18,9 @@ namespace lober::detail {
 
 struct LoadedCurve {
   std::shared_ptr<const Curve> curve;
-  std::string digest;  ///< digest of the content; may be empty when none was asked for
-  std::string error;   ///< why there is no such curve; empty if there is
+  std::string digest;        ///< digest of the content; may be empty when none was asked for
+  std::string error;         ///< why there is no such curve; empty if there is
+  std::string warning = {};  ///< why its results may not mean what a user thinks; nearly always empty
 };
 
 /// The way in which a unit is to be loaded.

@@ -4,12 +4,14 @@
 #include <array>
 #include <memory>
 #include <mutex>
+#include <set>
 
 #include "engine/base/machine_memory.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/batch/queue/dispatcher.hpp"
 #include "engine/batch/queue/schedule.hpp"
+#include "engine/files/geographic.hpp"
 #include "lober/base/error.hpp"
 #include "lober/curve/files.hpp"
 
@@ -126,6 +128,7 @@ class JobQueue::Run final : public JobRunner {
       curves[k] = &cache.curve(ids[k]);
       points += curves[k]->curve().points.size();
       if (!result.failed()) result.error = curves[k]->error(requirements);
+      warn(curves[k]->warning());
     }
     Stopwatch watch;
     if (!result.failed()) {
@@ -133,6 +136,7 @@ class JobQueue::Run final : public JobRunner {
         std::unique_ptr<const PreparedCurve> moved;
         if (ids.size() == 2) {
           require_same_columns(curves[0]->curve(), curves[1]->curve());
+          if (!group.periods.any()) warn_of_longitudes(curves[0]->curve(), curves[1]->curve());
           moved = moved_near(*curves[1], curves[0]->curve(), group, requirements);
           if (moved != nullptr) curves[1] = moved.get();
           if (moved != nullptr && !moved->error(requirements).empty()) throw DataError(moved->error(requirements));
@@ -155,6 +159,8 @@ class JobQueue::Run final : public JobRunner {
     count(points, failed, costs[number - queue_.first_waiting_], seconds, watch.lap());
   }
 
+  [[nodiscard]] std::vector<std::string> warnings() const { return {warned_.begin(), warned_.end()}; }
+
   std::vector<double> costs;  ///< costs of the jobs that wait
   QueueReport report;
 
@@ -173,6 +179,18 @@ class JobQueue::Run final : public JobRunner {
     return true;
   }
 
+  void warn_of_longitudes(const Curve& first, const Curve& second) {
+    const std::string warning = longitudes_warning(first, second);
+    if (!warning.empty()) warn(warning + "; the manifest needs " + period_of_longitudes(first));
+  }
+
+  // Each line once.
+  void warn(const std::string& line) {
+    if (line.empty()) return;
+    const std::lock_guard lock(counting_);
+    if (warned_.size() < max_warnings) warned_.insert(line);
+  }
+
   void count(std::size_t points, bool failed, double cost, double seconds, double callback_seconds) {
     const std::lock_guard lock(counting_);
     Counters& counters = queue_.counters_;
@@ -187,10 +205,13 @@ class JobQueue::Run final : public JobRunner {
     report.callback_seconds += callback_seconds;
   }
 
+  static constexpr std::size_t max_warnings = 1000;
+
   JobQueue& queue_;
   const std::function<void(Result&&)>& done_;
   std::mutex callback_, counting_;
   std::atomic<bool> thrown_{false};
+  std::set<std::string> warned_;
 };
 
 // Marks that `run` works: however it ends, no job waits any more, and a wish to stop was for this run.
@@ -266,6 +287,7 @@ QueueReport JobQueue::run(const std::function<void(Result&&)>& done) {
   } catch (const Cancelled&) {
     if (!cancelled_) throw;
   }
+  run.report.warnings = run.warnings();
   run.report.stopped = run.report.jobs < waiting.size();
   run.report.cache = cache_->counts();
   run.report.cache.units_read -= before.units_read;

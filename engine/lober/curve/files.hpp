@@ -100,6 +100,9 @@ struct NamedCurve {
   /// Says how a curve was closed, or that it consists of longitudes and latitudes; nearly always empty.
   std::string remark;
   std::string header{};  ///< names of the columns, as in CurveFile
+  /// Says which segment of a curve of longitudes and latitudes runs back across the whole map, because the curve
+  /// crosses the date line: its area is not the one of the earth. ReadOptions::periods mends it. Nearly always empty.
+  std::string warning{};
 };
 
 /// Reads one curve and validates it. Throws DataError as `read_curve_file` and `validate` do, and when the
@@ -115,6 +118,11 @@ struct NamedCurve {
 [[nodiscard]] LOBER_API std::optional<bool> latitude_first(const CurveFile& file);
 /// Throws DataError when one curve has columns of latitude and longitude and the other of longitude and latitude.
 LOBER_API void require_same_columns(const Curve& first, const Curve& second);
+/// Says that two curves of longitudes and latitudes count longitudes differently, one from -180 to 180 and the other
+/// from 0 to 360, so that they do not meet where they are on the same place of the earth: their boxes overlap when one
+/// of them is moved by 360. Nearly always empty, also where files do not name their columns. The period mends it
+/// (ReadOptions::periods and move_near). O(N).
+[[nodiscard]] LOBER_API std::string longitudes_warning(const Curve& first, const Curve& second);
 
 /// The number of points of a file: exact for NPY and raw float64; for text, GeoJSON and WKT an estimate from the first
 /// lines or positions, for files compressed by gzip one from above. 0 if the file cannot be read. At most 64 KiB are

@@ -6,6 +6,7 @@
 #include "engine/batch/manifest/curve_set.hpp"
 #include "engine/batch/manifest/plan.hpp"
 #include "engine/batch/work_queue.hpp"
+#include "engine/files/zone_names.hpp"
 #include "lober/batch.hpp"
 #include "lober/curve/files.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
@@ -58,8 +59,8 @@ TEST_F(ManifestTest, ColumnsAndCurvesOfATable) {
   write("tracers.csv", "id,lon,lat\na,0,0\nb,5,5\na,1,0\nb,6,5\na,0,1\nb,5,6\n");
   const std::string head = "operation = \"overlay\"\ncurves = ";
   EXPECT_EQ(pairs(head + "\"tracers.csv:lon,lat,by=id#*\""),
-            (Names{"tracers.csv:lon,lat,by=id#0 tracers.csv:lon,lat,by=id#1"}));
-  EXPECT_EQ(pairs(head + "[\"tracer*.csv:2,3,by=1#b\", \"separ.0\"]"), (Names{"tracers.csv:2,3,by=1#1 separ.0"}));
+            (Names{"tracers.csv:lon,lat,by=id#a tracers.csv:lon,lat,by=id#b"}));
+  EXPECT_EQ(pairs(head + "[\"tracer*.csv:2,3,by=1#b\", \"separ.0\"]"), (Names{"tracers.csv:2,3,by=1#b separ.0"}));
   const Plan all = plan(head + "[\"tracers.csv:lon,lat,by=id#*\", \"tracers.csv:lat,lon,by=id#*\"]");
   EXPECT_TRUE(Plan::decoded(all.encoded()).encoded() == all.encoded());
   EXPECT_EQ(Plan::decoded(all.encoded()).curves[2].columns, "lat,lon,by=id");
@@ -68,6 +69,55 @@ TEST_F(ManifestTest, ColumnsAndCurvesOfATable) {
                                  lat_lon = digests_of({all.curves[2]}, path("job.toml"));
   EXPECT_NE(lon_lat, lat_lon);
   EXPECT_THROW((void)plan(head + "\"tracers.csv:lon,lit,by=id#*\""), DataError);
+}
+
+// The order of the file is that of the pairs, and no part of a name: `#0` is the drifter whose id is 0 wherever it
+// stands.
+TEST_F(ManifestTest, CurvesOfGroupsGoByTheIdThatReadsThemBack) {
+  write("ids.csv", "id,x,y\n9,0,0\n9,1,0\n9,1,1\n0,0,0\n0,10,0\n0,10,10\n1,2,2\n1,3,2\n1,3,3\n");
+  const std::string head = "operation = \"interior\"\ncurves = ";
+  const Plan all = plan(head + "\"ids.csv:x,y,by=id#*\"");
+  ASSERT_EQ(all.curves.size(), 3);
+  EXPECT_EQ(all.curves[0].name(), "ids.csv:x,y,by=id#9");
+  EXPECT_EQ(all.curves[1].name(), "ids.csv:x,y,by=id#0");
+  EXPECT_EQ(all.curves[2].name(), "ids.csv:x,y,by=id#1");
+  const Plan decoded = Plan::decoded(all.encoded());
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(decoded.curves[k].name(), all.curves[k].name());
+    EXPECT_EQ(read_curve(path("") + all.curves[k].name(), true).zone, k);
+  }
+  const Plan chosen = plan(head + "[\"ids.csv:x,y,by=id#0\", \"ids.csv:x,y,by=id#1\"]");
+  ASSERT_EQ(chosen.curves.size(), 2);
+  EXPECT_EQ(chosen.curves[0].name(), "ids.csv:x,y,by=id#0");
+  EXPECT_EQ(chosen.curves[1].name(), "ids.csv:x,y,by=id#1");
+  // The content is the same as before names were ids: results of older stores are found.
+  EXPECT_TRUE(digests_of({chosen.curves[0]}, path("job.toml")).at(0).ends_with(":x,y,by=id#1"));
+  EXPECT_EQ(refusal(head + "\"ids.csv:x,y,by=id#2\""), "job.toml:2: curves: ids.csv has no zone titled \"2\"");
+}
+
+// Titles that name no curve alone are not names.
+TEST_F(ManifestTest, NamesOfZonesReadBack) {
+  CurveFile file;
+  file.path = "f";
+  const auto titles = [&](bool grouped, std::vector<std::string> all) {
+    file.titled_by_group = grouped;
+    file.zones.clear();
+    for (std::string& title : all) file.zones.push_back({std::move(title), {}});
+    Names named;
+    const ZoneNames names(file);
+    for (std::size_t k = 0; k < file.zones.size(); ++k) {
+      EXPECT_EQ(names.find(names.name(k)), k);
+      named.push_back(names.name(k));
+    }
+    return named;
+  };
+  EXPECT_EQ(titles(true, {"7", "9", "0"}), (Names{"7", "9", "0"}));
+  EXPECT_EQ(titles(true, {"1.5", "-2"}), (Names{"1.5", "-2"}));
+  EXPECT_EQ(titles(true, {"b", "1", "a"}), (Names{"b", "1", "a"}));
+  EXPECT_EQ(titles(true, {"b", "0", "a"}), (Names{"b", "1", "a"}));
+  EXPECT_EQ(titles(true, {"a", "a", ""}), (Names{"0", "1", "2"}));
+  EXPECT_EQ(titles(true, {"7", "7", "1"}), (Names{"0", "1", "2"}));
+  EXPECT_EQ(titles(false, {"1", "0", "a"}), (Names{"0", "1", "2"}));
 }
 
 TEST_F(ManifestTest, KindsOfPairs) {

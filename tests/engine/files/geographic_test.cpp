@@ -47,6 +47,44 @@ TEST_F(Geographic, JumpsAreTheDateLine) {
   EXPECT_NE(unnamed.find("looks like longitudes and latitudes"), std::string::npos) << unnamed;
 }
 
+TEST_F(Geographic, DateLinesAreWarnedOfUnlessThereIsAPeriod) {
+  for (const bool latitude_first : {false, true}) {
+    const std::string file = circle(latitude_first ? "lat,lon" : "lon,lat", 175, latitude_first);
+    const std::string warning = read_curve(file, true).warning;
+    EXPECT_NE(warning.find("segment 15 runs back across the whole map"), std::string::npos) << warning;
+    const Periods periods = latitude_first ? Periods{0, 360} : Periods{360, 0};
+    EXPECT_EQ(read_curve(file, true, {.periods = periods}).warning, "");
+  }
+  EXPECT_EQ(read_curve(circle("lon,lat", 30), true).warning, "");
+  const std::string greenwich = put("zero.csv", "lon,lat\n358,0\n2,0\n2,9\n358,9\n");
+  EXPECT_NE(read_curve(greenwich, true).warning.find("crosses the meridian of 0"), std::string::npos);
+  EXPECT_NE(read_curve(greenwich, true).remark.find("subtract 360 from longitudes above 180"), std::string::npos);
+  const std::string remark = read_curve(circle("lon,lat", 175), true).remark;
+  EXPECT_NE(remark.find("or give --periodic x=360"), std::string::npos) << remark;
+}
+
+TEST_F(Geographic, LongitudesThatAreCountedDifferentlyAreWarnedOf) {
+  const auto box = [&](const std::string& header, double west, double east) {
+    std::string text = header + "\n";
+    for (const auto& [x, y] : {std::pair{west, 0.0}, {east, 0.0}, {east, 9.0}, {west, 9.0}}) {
+      const bool latitude_first = header == "lat,lon";
+      text += std::to_string(latitude_first ? y : x) + "," + std::to_string(latitude_first ? x : y) + "\n";
+    }
+    return read_curve(put("box.csv", text), true).curve;
+  };
+  for (const char* const header : {"lon,lat", "lat,lon"}) {
+    const std::string warning = longitudes_warning(box(header, -170, -150), box(header, 195, 205));
+    EXPECT_NE(warning.find("are from -170 to -150, those of"), std::string::npos) << warning;
+    EXPECT_NE(warning.find("from 195 to 205"), std::string::npos) << warning;
+    EXPECT_NE(longitudes_warning(box(header, 195, 205), box(header, -170, -150)), "");
+    EXPECT_EQ(longitudes_warning(box(header, -170, -150), box(header, -160, -140)), "");
+    EXPECT_EQ(longitudes_warning(box(header, -180, 180), box(header, -180, 180)), "");
+    EXPECT_EQ(longitudes_warning(box(header, 0, 90), box(header, 270, 360)), "");
+  }
+  EXPECT_EQ(longitudes_warning(box("a,b", -170, -150), box("a,b", 195, 205)), "");
+  EXPECT_EQ(longitudes_warning(box("lon,lat", -170, -150), box("a,b", 195, 205)), "");
+}
+
 TEST_F(Geographic, CurvesOfAPairHaveTheSameColumns) {
   const Curve lon_lat = read_curve(circle("lon,lat", 30), true).curve,
               lat_lon = read_curve(circle("lat,lon", 30), true).curve,
