@@ -205,6 +205,7 @@ void add_map(Figure& figure, const JobValues& jobs, const std::vector<std::size_
 // The first result that differs between jobs and does not repeat what was varied, such as the energy of an escape.
 std::string first_that_varies(const JobValues& jobs) {
   for (const std::string& result : jobs.results()) {
+    if (result.ends_with("_error")) continue;
     const auto same_as = [&](const std::string& other) {
       for (std::size_t k = 0; k < jobs.size(); ++k) {
         if (jobs.value(k, result) != jobs.value(k, other)) return false;

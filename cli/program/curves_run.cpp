@@ -59,7 +59,7 @@ CurvesReport run_on_curves(const std::string& operation, const std::array<std::s
 }
 
 void warn_of_longitudes(const NamedCurve& first, const NamedCurve& second, Periods periods) {
-  if (periods.any()) return;
+  if (periods.any() || !first.warning.empty() || !second.warning.empty()) return;
   const std::string warning = longitudes_warning(first.curve, second.curve);
   if (warning.empty()) return;
   log_warning(warning + "; give --periodic " + (first.curve.latitude_first.value_or(false) ? "y" : "x") + "=360");

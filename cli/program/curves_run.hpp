@@ -32,7 +32,8 @@ struct CurvesReport {
                                          const std::vector<operations::OptionSetting>& settings, Periods periods,
                                          Progress& progress);
 
-/// Warns of curves whose longitudes are counted differently (longitudes_warning), unless there is a period.
+/// Warns of curves whose longitudes are counted differently (longitudes_warning), unless there is a period, or one of
+/// them jumps, which its remark says.
 void warn_of_longitudes(const NamedCurve& first, const NamedCurve& second, Periods periods);
 
 /// Writes the JSON object of a command. `engine` are the engine's parts of the timing.

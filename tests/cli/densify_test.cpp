@@ -97,7 +97,7 @@ TEST_F(Densify, DiagnosticsAreListed) {
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_NE(outcome.err.find("the curve has 100 points and does not meet the criteria"), std::string::npos)
       << outcome.err;
-  EXPECT_NE(outcome.err.find("--max-points"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("give a larger max_points"), std::string::npos) << outcome.err;
   const auto json = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(json["result"]["points"], 100);
   EXPECT_EQ(json["diagnostics"]["counts"]["max_points"], 4);

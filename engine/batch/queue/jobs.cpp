@@ -136,7 +136,7 @@ class JobQueue::Run final : public JobRunner {
         std::unique_ptr<const PreparedCurve> moved;
         if (ids.size() == 2) {
           require_same_columns(curves[0]->curve(), curves[1]->curve());
-          if (!group.periods.any()) warn_of_longitudes(curves[0]->curve(), curves[1]->curve());
+          if (!group.periods.any()) warn_of_longitudes(*curves[0], *curves[1]);
           moved = moved_near(*curves[1], curves[0]->curve(), group, requirements);
           if (moved != nullptr) curves[1] = moved.get();
           if (moved != nullptr && !moved->error(requirements).empty()) throw DataError(moved->error(requirements));
@@ -179,9 +179,11 @@ class JobQueue::Run final : public JobRunner {
     return true;
   }
 
-  void warn_of_longitudes(const Curve& first, const Curve& second) {
-    const std::string warning = longitudes_warning(first, second);
-    if (!warning.empty()) warn(warning + "; the manifest needs " + period_of_longitudes(first));
+  // A curve that jumps has a warning of its own, with the same remedy, and its box is that of the whole map.
+  void warn_of_longitudes(const PreparedCurve& first, const PreparedCurve& second) {
+    if (!first.warning().empty() || !second.warning().empty()) return;
+    const std::string warning = longitudes_warning(first.curve(), second.curve());
+    if (!warning.empty()) warn(warning + "; the manifest needs " + period_of_longitudes(first.curve()));
   }
 
   // Each line once.
