@@ -25,6 +25,8 @@ JobValues::JobValues(const std::string& store, const std::string& operation, con
   const detail::Store opened = detail::Store::open(store);
   plan_ = detail::plan_of(opened);
   std::vector<std::string> operations;  // that have results
+  const detail::Operation* wanted = nullptr;
+  std::vector<detail::Result> found;
   detail::for_each_result(
       opened, plan_, {},
       [&](const detail::Result& result) {
@@ -33,8 +35,8 @@ JobValues::JobValues(const std::string& store, const std::string& operation, con
           operations.push_back(one->name);
         }
         if (result.failed() || (!operation.empty() && one->name != operation)) return;
-        operation_ = one;
-        jobs_.push_back(result);
+        wanted = one;
+        found.push_back(result);
       },
       progress);
   if (operation.empty() && operations.size() > 1) {
@@ -44,7 +46,12 @@ JobValues::JobValues(const std::string& store, const std::string& operation, con
     throw UsageError("--operation " + operation + ": the store has no job of it; there are " +
                      detail::joined(operations));
   }
-  if (jobs_.empty()) throw DataError(store + ": no job is done yet, so there is nothing to draw");
+  if (found.empty()) throw DataError(store + ": no job is done yet, so there is nothing to draw");
+  const detail::SpreadTable table = detail::spread_table(*wanted, [&](const auto& take) {
+    for (const detail::Result& result : found) take(result);
+  });
+  operation_ = table.operation;
+  table.results([&](const detail::Result& result) { jobs_.push_back(result); });
   find_varied();
   find_results();
 }
@@ -79,9 +86,9 @@ void JobValues::find_varied() {
 }
 
 void JobValues::find_results() {
-  for (std::size_t column = 0; column < operation_->columns.size(); ++column) {
+  for (std::size_t column = 0; column < operation_.columns.size(); ++column) {
     const auto is_known = [&](const detail::Result& one) { return std::isfinite(one.values.at(column)); };
-    if (std::any_of(jobs_.begin(), jobs_.end(), is_known)) results_.push_back(operation_->columns[column].name);
+    if (std::any_of(jobs_.begin(), jobs_.end(), is_known)) results_.push_back(operation_.columns[column].name);
   }
 }
 
@@ -99,7 +106,7 @@ Json JobValues::value(std::size_t k, const std::string& name) const {
   };
   if (name == "first") return name_of(job(k).first);
   if (name == "second") return name_of(job(k).second);
-  const auto& columns = operation_->columns;
+  const auto& columns = operation_.columns;
   const auto at = std::find_if(columns.begin(), columns.end(), [&](const auto& one) { return one.name == name; });
   if (at == columns.end()) return {};
   const double number = jobs_[k].values.at(static_cast<std::size_t>(at - columns.begin()));
@@ -108,8 +115,8 @@ Json JobValues::value(std::size_t k, const std::string& name) const {
 }
 
 std::span<const double> JobValues::list(std::size_t k, std::string_view name) const {
-  const auto at = std::find(operation_->lists.begin(), operation_->lists.end(), name);
-  const auto number = static_cast<std::size_t>(at - operation_->lists.begin());
+  const auto at = std::find(operation_.lists.begin(), operation_.lists.end(), name);
+  const auto number = static_cast<std::size_t>(at - operation_.lists.begin());
   return number < jobs_[k].lists.size() ? std::span<const double>(jobs_[k].lists[number]) : std::span<const double>();
 }
 

@@ -43,7 +43,7 @@ class JobValues {
   void find_results();
 
   detail::Plan plan_;
-  const detail::Operation* operation_ = nullptr;
+  detail::Operation operation_;  ///< with the columns into which it spreads lists
   std::vector<detail::Result> jobs_;
   std::vector<std::string> varied_, results_;
 };

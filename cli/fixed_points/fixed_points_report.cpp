@@ -24,6 +24,11 @@ std::string box_text(const Rectangle& box) {
 
 std::string completeness_text(const FixedPointsReport& report) {
   const FixedPointSearch& search = report.result();
+  if (!search.isolated) {
+    return fmt::format(
+        "NOT ISOLATED: fixed points fill a curve or an area; these are some, found on a grid of {} x {}\n", search.grid,
+        search.grid);
+  }
   std::string text =
       fmt::format("{} on grids up to {} x {}", search.settled ? "the same points were found twice" : "NOT SETTLED",
                   search.grid, search.grid);

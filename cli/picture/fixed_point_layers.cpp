@@ -32,6 +32,10 @@ constexpr std::array<Symbol, 7> symbols{{
     {FixedPointKind::repelling, "repelling point", "repelling points", "", DotShape::triangle, true},
 }};
 
+// One for each period, from the least on; black alone where there is one period.
+constexpr std::array<const char*, 5> colours_of_periods{palette::ink, palette::common, palette::entering, palette::flux,
+                                                        palette::leaving};
+
 bool is_saddle(const FixedPoint& point) {
   return point.kind == FixedPointKind::saddle || point.kind == FixedPointKind::inverse_saddle ||
          point.kind == FixedPointKind::reversing_saddle;
@@ -56,7 +60,8 @@ Layer direction_layer(std::span<const FixedPoint> points, const Rectangle& box, 
   return layer;
 }
 
-Layer points_layer(std::span<const FixedPoint> points, const Symbol& symbol, int period, bool say_period) {
+Layer points_layer(std::span<const FixedPoint> points, const Symbol& symbol, int period, bool say_period,
+                   const char* colour) {
   std::vector<Point> at;
   for (const FixedPoint& point : points) {
     if (point.kind == symbol.kind && point.period == period) at.push_back(point.at);
@@ -67,6 +72,7 @@ Layer points_layer(std::span<const FixedPoint> points, const Symbol& symbol, int
                           std::move(at), symbol.shape == DotShape::triangle ? 2.2 : 1.9);
   layer.shape = symbol.shape;
   layer.hollow = symbol.hollow;
+  layer.colour = colour;
   return layer;
 }
 
@@ -94,9 +100,11 @@ void add_fixed_points(Figure& figure, std::span<const FixedPoint> points, const 
   std::set<int> periods;
   for (const FixedPoint& point : points) periods.insert(point.period);
   const bool say_period = periods.size() > 1 || (!periods.empty() && *periods.begin() != 1);
+  std::size_t nth = 0;
   for (const int period : periods) {
+    const char* const colour = colours_of_periods[nth++ % colours_of_periods.size()];
     for (const Symbol& symbol : symbols) {
-      Layer layer = points_layer(points, symbol, period, say_period);
+      Layer layer = points_layer(points, symbol, period, say_period, colour);
       if (!layer.points.empty()) figure.layers.push_back(std::move(layer));
     }
   }

@@ -18,6 +18,7 @@
 #include "cli/program/system_options.hpp"
 #include "cli/program/table_options.hpp"
 #include "cli/report/agreement_report.hpp"
+#include "cli/tangle/manifold_lift.hpp"
 #include "cli/tangle/system_tangle_command.hpp"
 #include "cli/tangle/tangle_outputs.hpp"
 #include "engine/base/nearest_word.hpp"
@@ -124,7 +125,7 @@ void read_inputs(const TangleRequest& request, Progress& progress, TangleReport&
   report.specs = specs;
   report.periods = request.periods;
   warn_of_longitudes(report.inputs[0], report.inputs[1], request.periods);
-  move_near(report.inputs[1].curve.points, report.inputs[0].curve.points, request.periods);
+  report.lift = lift_manifold(report.inputs[1].curve.points, report.inputs[0].curve.points, request.periods);
   require_same_columns(report.inputs[0].curve, report.inputs[1].curve);
   report.reversed = request.reverse;
 }

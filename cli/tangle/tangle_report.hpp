@@ -18,6 +18,7 @@ struct TangleReport {
   std::array<NamedCurve, 2> inputs;  ///< U and S
   std::array<std::string, 2> specs;  ///< names of curves of files on the command line
   Periods periods;
+  std::string lift{};              ///< sentence about the periods by which S was moved (manifold_lift.hpp)
   std::array<bool, 2> reversed{};  ///< turned round after reading: positions speak of the curve as turned
   std::optional<operations::SystemInput> origin{};  ///< system of manifolds grown from equations (`tangle --system`)
   operations::Outcome outcome;                      ///< outcome of tangle or manifold_tangle

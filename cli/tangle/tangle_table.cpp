@@ -23,7 +23,7 @@ std::string manifolds_text(const TangleReport& report) {
     text += fmt::format("{}  {:<{}}  {:>9} points{}\n", k == 0 ? "U" : "S", specs[k], width,
                         report.inputs[k].curve.points.size(), report.reversed[k] ? "  reversed" : "");
   }
-  return text;
+  return text + report.lift;
 }
 
 void add_boundary(std::string& text, const TangleReport& report) {

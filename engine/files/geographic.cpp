@@ -133,10 +133,6 @@ std::optional<bool> latitude_first(std::string_view header) {
   return named ? std::optional(named->latitude_first) : std::nullopt;
 }
 
-std::string period_of_longitudes(const Curve& curve) {
-  return std::string("periodic = \"") + (curve.latitude_first.value_or(false) ? "y" : "x") + "=360\"";
-}
-
 ColumnsRemark columns_remark(std::string_view header, std::span<const Point> points) {
   const std::vector<std::string> words = words_of(header);
   if (words.size() >= 2 && words[0] == "y" && words[1] == "x") {
@@ -150,7 +146,7 @@ ColumnsRemark columns_remark(std::string_view header, std::span<const Point> poi
                        geography.warning()};
   remark.text += "; areas are those of the plane, in square degrees";
   if (!remark.warning.empty()) {
-    remark.text += ", and " + remark.warning + ": " + geography.remedy() + ", or give --periodic " +
+    remark.text += ", and " + remark.warning + ": " + geography.remedy() + ", or give the period " +
                    (geography.latitude_first() ? "y" : "x") + "=360";
   }
   return remark;
@@ -159,6 +155,14 @@ ColumnsRemark columns_remark(std::string_view header, std::span<const Point> poi
 }  // namespace lober::detail
 
 namespace lober {
+
+std::string period_of_longitudes(const Curve& curve) {
+  return std::string("periodic = \"") + (curve.latitude_first.value_or(false) ? "y" : "x") + "=360\"";
+}
+
+std::string date_line_warning(std::string_view header, std::span<const Point> points) {
+  return detail::columns_remark(header, points).warning;
+}
 
 std::string longitudes_warning(const Curve& first, const Curve& second) {
   if (!first.latitude_first || first.latitude_first != second.latitude_first) return {};

@@ -14,9 +14,6 @@ namespace lober::detail {
 /// Whether a header names latitude and longitude, in that order; nothing where it does not name both.
 [[nodiscard]] std::optional<bool> latitude_first(std::string_view header);
 
-/// `periodic = "x=360"`, or of y where latitudes come first: the remedy, as a manifest has it.
-[[nodiscard]] std::string period_of_longitudes(const Curve& curve);
-
 /// The remarks about the columns of a curve; nearly always empty.
 struct ColumnsRemark {
   /// For longitudes and latitudes in degrees, as the header of its file names them or as jumps by more than half a turn

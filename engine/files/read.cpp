@@ -17,9 +17,9 @@
 #include "engine/files/plausible.hpp"
 #include "engine/files/read_memory.hpp"
 #include "engine/files/sniff.hpp"
-#include "engine/files/zone_names.hpp"
 #include "lober/curve/cylinders.hpp"
 #include "lober/curve/files.hpp"
+#include "lober/curve/zone_names.hpp"
 
 namespace lober {
 using namespace detail;

@@ -1,9 +1,12 @@
 #include "engine/files/sniff.hpp"
 
 #include <algorithm>
+#include <fstream>
+#include <string>
 #include <string_view>
 
 #include "engine/files/tecplot.hpp"
+#include "lober/curve/files.hpp"
 
 namespace lober::detail {
 namespace {
@@ -60,3 +63,15 @@ Content sniff(std::span<const std::byte> bytes) {
 }
 
 }  // namespace lober::detail
+
+namespace lober {
+
+bool begins_as_text(const std::string& path) {
+  std::string head(detail::sniffed, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  return !head.empty() && detail::sniff(std::as_bytes(std::span(head))) == detail::Content::text;
+}
+
+}  // namespace lober

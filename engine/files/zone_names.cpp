@@ -1,4 +1,4 @@
-#include "engine/files/zone_names.hpp"
+#include "lober/curve/zone_names.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -9,7 +9,8 @@
 #include "engine/files/number.hpp"
 #include "lober/base/error.hpp"
 
-namespace lober::detail {
+namespace lober {
+using namespace detail;
 namespace {
 
 /// The value of digits and nothing else, also where it is too large for a position.
@@ -76,4 +77,4 @@ std::size_t ZoneNames::find(const std::string& choice) const {
   return found->second.first;
 }
 
-}  // namespace lober::detail
+}  // namespace lober

@@ -10,3 +10,4 @@
 #include "lober/curve/periods.hpp"
 #include "lober/curve/point.hpp"
 #include "lober/curve/table_file.hpp"
+#include "lober/curve/zone_names.hpp"

@@ -65,6 +65,13 @@ const OptionList<ConnectionChoice>& connection_options() {
 }
 
 Connection chosen_connection(const ConnectionChoice& choice, const System& system) {
+  const auto not_zero = [](const std::optional<Point>& direction, const char* option) {
+    if (direction && *direction == Point{}) {
+      throw UsageError("option \"" + std::string(option) + "\": a direction cannot be the vector 0, 0");
+    }
+  };
+  not_zero(choice.u_direction, "u_direction");
+  not_zero(choice.s_direction, "s_direction");
   if (!system.connection) require_complete(choice, system);
   Connection connection = system.connection.value_or(Connection{});
   // A bip that belongs to other saddles is not one of these manifolds.

@@ -1,6 +1,7 @@
 #include "engine/operations/escape_choice.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -41,13 +42,22 @@ Assignment assignment(const std::string& text, std::string_view key, std::string
   return {text.substr(0, at), text[at], finite_number(std::string_view(text).substr(at + 1), key)};
 }
 
-int position_coordinate(const Flow& flow, const std::string& name, std::string_view key) {
-  if (name != "x" && name != "y") {
-    throw UsageError(quoted(key) + ": the coordinate has to be x or y, not \"" + name + "\"");
-  }
-  const auto pairs = flow.conjugate_pairs();
+// The number of a position, which is called x or y, or as the system calls it.
+int position_coordinate(const System& system, const std::string& name, std::string_view key) {
+  const auto pairs = system.flow->conjugate_pairs();
   if (pairs.size() != 2) throw UsageError("an escape needs a Hamiltonian flow of two degrees of freedom");
-  return pairs[name == "x" ? 0 : 1].q;
+  std::array<std::string, 2> names{"x", "y"};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto coordinate = static_cast<std::size_t>(pairs[k].q);
+    if (coordinate < system.coordinates.size()) names[k] = system.coordinates[coordinate];
+  }
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (name == names[k]) return pairs[k].q;
+  }
+  if (name == "x" || name == "y") return pairs[name == "x" ? 0 : 1].q;
+
+  throw UsageError(quoted(key) + ": the coordinate has to be " + names[0] + " or " + names[1] + ", not \"" + name +
+                   "\"");
 }
 
 FlowState saddle_of(const std::string& text, const System& system) {
@@ -118,7 +128,7 @@ Section section_of(const EscapeChoice& choice, const System& system) {
   Section section = system.section.value_or(Section{});
   if (choice.section) {
     const Assignment given = assignment(*choice.section, "section", "=");
-    section = position_section(flow, position_coordinate(flow, given.name, "section"), given.value, 1);
+    section = position_section(flow, position_coordinate(system, given.name, "section"), given.value, 1);
   }
   if (section.bound_side != 0 && !choice.bound && choice.crossings > 0) {
     throw UsageError("the section of system " + system.info.name +
@@ -133,7 +143,7 @@ Section section_of(const EscapeChoice& choice, const System& system) {
   }
   if (choice.bound) {
     const Assignment given = assignment(*choice.bound, "bound", "<>");
-    section.bound_coordinate = position_coordinate(flow, given.name, "bound");
+    section.bound_coordinate = position_coordinate(system, given.name, "bound");
     section.bound = given.value;
     section.bound_side = given.separator == '<' ? -1 : 1;
   }

@@ -115,6 +115,8 @@ std::vector<Field> fixed_points_fields() {
   search
       .field("settled", "", "whether the last scan found what the one before had found, and no index contradicts it",
              &SystemFixedPoints::settled)
+      .field("isolated", "", "false where fixed points fill a curve or an area: the points are then some of them",
+             &SystemFixedPoints::isolated)
       .field("out_of_work", "", "whether the search ended because no more work was allowed",
              &SystemFixedPoints::out_of_work)
       .field("grid", "", "number of points a side of the last scan", &SystemFixedPoints::grid)
@@ -132,6 +134,9 @@ std::vector<Field> fixed_points_fields() {
 
 // ------------------------------------------------------------------------------------------------------------- run
 
+constexpr const char* not_isolated_remark =
+    "the fixed points are not isolated: they fill a curve or an area, and those in the result are some of them";
+
 Outcome run_fixed_points(std::span<const Input> inputs, const Options& options, const Context& context) {
   const System& system = *system_of(inputs).system;
   FixedPointsHow how = fixed_points_options().how(options);
@@ -145,7 +150,9 @@ Outcome run_fixed_points(std::span<const Input> inputs, const Options& options, 
   found.box = box;
   found.period = how.period;
   found.turns = how.turns;
+  const bool outcome_isolated = found.isolated;
   Outcome outcome = outcome_of(std::move(found), options);
+  if (!outcome_isolated) outcome.remarks.emplace_back(not_isolated_remark);
   outcome.chosen.push_back({"box", box});
   outcome.chosen.push_back({"shift", how.shift});
   return outcome;

@@ -229,8 +229,9 @@ SystemHandle make_field_system(const py::object& field, const py::kwargs& given)
   }
 }
 
-// The saddles of a flow of four dimensions, by their states or by positions where they are at rest.
-void set_saddles(System& system, const py::list& given) {
+// The saddles of a flow by their states, and the names of its coordinates.
+void set_saddles(System& system, const py::list& given, std::vector<std::string> names) {
+  system.coordinates = std::move(names);
   system.saddles.clear();
   for (const FlowState& state : states_from(given)) system.saddles.push_back(state);
 }
@@ -244,7 +245,7 @@ std::vector<double> at_rest(const System& system, const py::object& position) {
 
 void bind_python_field(py::module_& module) {
   module.def("field_system", make_field_system, py::arg("field"));
-  module.def("set_saddles", set_saddles, py::arg("system"), py::arg("states"));
+  module.def("set_saddles", set_saddles, py::arg("system"), py::arg("states"), py::arg("names"));
   module.def("at_rest", at_rest, py::arg("system"), py::arg("position"));
 }
 

@@ -41,6 +41,8 @@ class FixedPoints(Result):
     points: list[FixedPoint]
     #: Whether the last scan found what the one before had found and no index contradicts it.
     settled: bool
+    #: False where fixed points fill a curve or an area: `points` are then some of them.
+    isolated: bool
     grid: int
     index_sum: int
     index_of_box: int | None
@@ -52,6 +54,7 @@ class FixedPoints(Result):
         return cls(
             [_point_of({key: column[k] for key, column in points.items()}) for k in range(len(points["type"]))],
             search["settled"],
+            search["isolated"],
             search["grid"],
             search["index_sum"],
             search["index_of_box"],

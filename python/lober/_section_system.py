@@ -106,7 +106,7 @@ def _energy(title: str, hamiltonian: bool, energy: Any) -> float | None:
     return number_of(energy, f"system {title}: energy")
 
 
-def _complete(made: _lober.System, saddles: Sequence[Any], connection: Connection | None, name: str) -> System:
+def _complete(made: _lober.System, saddles: Sequence[Any], connection: Connection | None, name: str, names: Sequence[str]) -> System:
     """Adds what is known of a system for its parameters."""
     states = []
     for saddle in saddles:
@@ -117,7 +117,7 @@ def _complete(made: _lober.System, saddles: Sequence[Any], connection: Connectio
             states.append(numbers)
         else:
             raise UsageError(f"system {name}: a saddle is a position of 2 numbers or a state of {made.dimension}, not {saddle!r}")
-    _lober.set_saddles(made, states)
+    _lober.set_saddles(made, states, list(names))
     if connection is not None:
         made.connect(connection._parts())
     return System(made, ())
@@ -153,7 +153,7 @@ def _of_function(function: Any, options: dict[str, Any]) -> Family:
             tolerance=tolerance,
         )
         saddles = _value(options["saddles"], values)
-        return _complete(made, saddles, _value(options["connection"], values), title)
+        return _complete(made, saddles, _value(options["connection"], values), title, names)
 
     return Family(title, parameters, make)
 
@@ -187,7 +187,7 @@ def _of_expressions(given: Any, options: dict[str, Any]) -> Family:
         from ._symbolic import _numeric
 
         saddles = [_numbers(saddle, known, values) for saddle in _value(options["saddles"], values)]
-        return _complete(made, saddles, _numeric(options["connection"], known, values), title)
+        return _complete(made, saddles, _numeric(options["connection"], known, values), title, names)
 
     compiler = options["compiler"] if options["compiler"] is not None else os.environ.get("CC", "cc")
     if not compiler or shutil.which(compiler.split()[0]) is None:

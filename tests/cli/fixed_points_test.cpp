@@ -50,6 +50,26 @@ TEST_F(FixedPointsProgram, MayTurnRoundTheCylinder) {
   EXPECT_NE(read("points.csv").find(",1,\"centre\",0.3"), std::string::npos) << read("points.csv");
 }
 
+// Without a kick each point of the axis is fixed.
+TEST_F(FixedPointsProgram, SaysWherePointsAreNotIsolated) {
+  const Outcome text = run({"fixed-points", "standard", "--param", "K=0"});
+  EXPECT_EQ(text.status, 0) << text.err;
+  EXPECT_NE(text.out.find("NOT ISOLATED: fixed points fill a curve or an area"), std::string::npos) << text.out;
+  const Json result = points({"standard", "--param", "K=0"});
+  EXPECT_EQ(result["search"]["isolated"], false);
+  EXPECT_EQ(result["search"]["settled"], false);
+  EXPECT_GE(result["points"].size(), 6U);
+  for (const Json& point : result["points"]) EXPECT_NEAR(point["y"].get<double>(), 0, 1e-9);
+  EXPECT_EQ(points({"standard", "--param", "K=0.1"})["search"]["isolated"], true);
+}
+
+TEST_F(FixedPointsProgram, HaveAColourForEachPeriodInPictures) {
+  ASSERT_EQ(run({"fixed-points", "henon", "--period", "5", "--picture", "p.svg"}).status, 0);
+  EXPECT_NE(read("p.svg").find("#7b2d8b"), std::string::npos);
+  ASSERT_EQ(run({"fixed-points", "henon", "--picture", "p.svg"}).status, 0);
+  EXPECT_EQ(read("p.svg").find("#7b2d8b"), std::string::npos);
+}
+
 TEST_F(FixedPointsProgram, MayBeNone) {
   const Outcome text = run({"fixed-points", "henon", "--box", "5,5,6,6"});
   EXPECT_EQ(text.status, 0) << text.err;

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "lober/curve/curve.hpp"
 #include "lober/curve/files.hpp"
@@ -61,6 +64,59 @@ TEST_F(TangleProgram, TakesABipByNumberAndByPlace) {
   expect_failure({"tangle", "u", "s", "--bip", "4"}, 2, "no pip 4");
   for (const char* bip : {"-1", "x", "1,", ",2", "1,2,3", "1,nan", "1.5"}) {
     expect_failure({"tangle", "u", "s", "--bip", bip}, 2, "--bip");
+  }
+}
+
+TEST_F(TangleProgram, RefusesADirectionOfNoLength) {
+  expect_failure({"tangle", "henon", "--u-direction", "0,0"}, 2, "a direction cannot be the vector 0, 0");
+  expect_failure({"tangle", "henon", "--s-direction", "0,0"}, 2, "a direction cannot be the vector 0, 0");
+}
+
+// Manifolds of an angle that are stored modulo its period: which copy of S belongs to U follows from where they lead.
+TEST_F(TangleProgram, FindsTheCopyOfAManifoldThatIsAPeriodAway) {
+  constexpr double period = 2 * std::numbers::pi;
+  ASSERT_EQ(run({"grow", "standard", "--param", "K=1.2", "--unstable", "--from", "0,0", "--branch", "+", "--length",
+                 "14", "--tolerance", "1e-5", "-o", "grown_u.txt"})
+                .status,
+            0);
+  ASSERT_EQ(run({"grow", "standard", "--param", "K=1.2", "--stable", "--from", "0,0", "--branch", "-", "--length", "14",
+                 "--tolerance", "1e-5", "-o", "grown_s.txt"})
+                .status,
+            0);
+  const auto points_of = [&](const std::string& name) {
+    std::vector<Point> points;
+    std::istringstream lines(read(name));
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream numbers(line);
+      Point point;
+      if (numbers >> point.x >> point.y) points.push_back(point);
+    }
+    return points;
+  };
+  const auto stored = [&](std::vector<Point> points) {
+    for (Point& point : points) point.x -= period * std::floor(point.x / period);
+    return points;
+  };
+  const std::vector<Point> u = points_of("grown_u.txt"), s = points_of("grown_s.txt");
+  std::vector<Point> next = s;
+  for (Point& point : next) point.x += period;
+  write_curve("u", u);
+  write_curve("s", next);
+  const Json expected = tangle({"u", "s"});
+  EXPECT_NEAR(expected["boundary"]["area"], 8.572, 1e-3);
+  for (const double copies : {-3.0, 0.0, 1.0, 7.0}) {
+    std::vector<Point> moved = stored(s);
+    for (Point& point : moved) point.x += copies * period;
+    write_curve("stored_u", stored(u));
+    write_curve("stored_s", moved);
+    const Json found = tangle({"stored_u", "stored_s", "--periodic", "x=2pi"});
+    EXPECT_NEAR(found["boundary"]["area"], expected["boundary"]["area"], 1e-9) << copies;
+    EXPECT_EQ(found["pips"].size(), expected["pips"].size()) << copies;
+    const Outcome outcome = run({"tangle", "stored_u", "stored_s", "--periodic", "x=2pi"});
+    EXPECT_NE(outcome.out.find("copies of S by other periods exist"), std::string::npos) << outcome.out;
+    if (copies == -3.0) {
+      EXPECT_NE(outcome.out.find("S is taken +4 periods in x"), std::string::npos) << outcome.out;
+    }
   }
 }
 

@@ -59,13 +59,9 @@ const Operation& operation_for(const Plan& plan, const std::optional<std::string
   return *only->operation;
 }
 
-// A table of fixed columns: those of the operation, and those into which it spreads the lists of any result.
-struct SpreadTable {
-  Operation operation;
-  EachResult results;
-};
+}  // namespace
 
-SpreadTable spread_table(const Operation& operation, const EachResult& results) {
+SpreadTable detail::spread_table(const Operation& operation, const EachResult& results) {
   SpreadTable table{operation, results};
   if (!operation.spread) return table;
   std::map<std::string, std::size_t> positions;
@@ -89,8 +85,6 @@ SpreadTable spread_table(const Operation& operation, const EachResult& results) 
   };
   return table;
 }
-
-}  // namespace
 
 ExportFormat export_format(const std::string& path) {
   if (path.ends_with(".csv")) return ExportFormat::csv;

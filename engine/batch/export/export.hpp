@@ -28,6 +28,17 @@ ExportCounts export_results(const Store& store, const std::string& path, ExportF
 ExportCounts for_each_result(const Store& store, const Plan& plan, const std::optional<std::string>& operation,
                              const std::function<void(const Result&)>& found, const Progress& progress = {});
 
+/// Goes through the results of jobs of a plan, in its order.
+using EachResult = std::function<void(const std::function<void(const Result&)>&)>;
+
+/// A table of fixed columns: those of the operation, and those into which it spreads the lists of any result.
+struct SpreadTable {
+  Operation operation;
+  EachResult results;  ///< with the values of all columns; it refers to the operation that was given
+};
+/// Goes through the results once to learn the columns, if the operation spreads any.
+[[nodiscard]] SpreadTable spread_table(const Operation& operation, const EachResult& results);
+
 /// How far the plan of a store is. Reads and verifies all results.
 struct StoreSurvey {
   ExportCounts counts;

@@ -1,16 +1,12 @@
 // The common parts of the formats of an export (private to the exports).
 #pragma once
 
-#include <functional>
-
 #include "engine/base/output_file.hpp"
+#include "engine/batch/export/export.hpp"
 #include "engine/batch/manifest/plan.hpp"
 #include "engine/batch/operations/result.hpp"
 
 namespace lober::detail {
-
-/// Goes through the results of jobs of a plan, in its order.
-using EachResult = std::function<void(const std::function<void(const Result&)>&)>;
 
 void write_csv(OutputFile& file, const Plan& plan, const Operation& operation, const EachResult& results);
 void write_hdf5(OutputFile& file, const Plan& plan, const Operation& operation, const EachResult& results);

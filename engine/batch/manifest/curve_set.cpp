@@ -6,16 +6,13 @@
 #include <charconv>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <set>
-#include <span>
 
 #include "engine/batch/manifest/file_unit.hpp"
-#include "engine/files/sniff.hpp"
-#include "engine/files/zone_names.hpp"
 #include "lober/curve/curve.hpp"
 #include "lober/curve/files.hpp"
+#include "lober/curve/zone_names.hpp"
 
 namespace lober::detail {
 namespace {
@@ -57,12 +54,9 @@ std::optional<std::size_t> position_of(const std::string& choice) {
 
 // Whether a number may be the id of a group: in tables for which columns are chosen, and in files of arrays.
 bool may_be_grouped(const std::string& path, const std::string& columns) {
+  std::error_code ignored;
   if (!columns.empty()) return true;
-  std::string head(4096, '\0');
-  std::ifstream file(path, std::ios::binary);
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(file.gcount()));
-  return !head.empty() && sniff(std::as_bytes(std::span(head))) != Content::text;
+  return fs::is_regular_file(path, ignored) && fs::file_size(path, ignored) > 0 && !begins_as_text(path);
 }
 
 // The curves of `whole` that `choice` names, or all of them for "*". A number is the id of a group in some files and a

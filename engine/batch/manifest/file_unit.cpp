@@ -5,7 +5,6 @@
 #include <new>
 #include <span>
 
-#include "engine/files/geographic.hpp"
 #include "lober/curve/curve.hpp"
 #include "lober/curve/cylinders.hpp"
 #include "lober/curve/files.hpp"
@@ -32,7 +31,7 @@ LoadedCurve take_zone(CurveFile& file, const CurveSource& wanted, bool last_use)
   Curve curve{last_use ? std::move(zone.points) : zone.points, wanted.closed, wanted.location()};
   curve.latitude_first = latitude_first(file);
   unwrap(curve.points, wanted.periods);
-  if (const std::string warning = columns_remark(file.header, curve.points).warning; !warning.empty()) {
+  if (const std::string warning = date_line_warning(file.header, curve.points); !warning.empty()) {
     loaded.warning = wanted.location() + ": " + warning + "; the manifest needs " + period_of_longitudes(curve);
   }
   if (wanted.closed) {

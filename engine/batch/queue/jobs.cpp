@@ -11,7 +11,6 @@
 #include "engine/base/stopwatch.hpp"
 #include "engine/batch/queue/dispatcher.hpp"
 #include "engine/batch/queue/schedule.hpp"
-#include "engine/files/geographic.hpp"
 #include "lober/base/error.hpp"
 #include "lober/curve/files.hpp"
 

@@ -17,6 +17,7 @@
 #include "engine/dynamics/fixed_points/newton.hpp"
 #include "engine/dynamics/fixed_points/scan.hpp"
 #include "engine/dynamics/maps/plane.hpp"
+#include "lober/base/cancellation.hpp"
 #include "lober/base/error.hpp"
 
 namespace lober {
@@ -81,7 +82,7 @@ std::vector<NewtonEnd> by_the_map_itself(const PlanarMap& map, std::vector<Newto
     which.push_back(k);
     guesses.push_back(ends[k].at);
   }
-  const std::vector<NewtonEnd> final_ends = newton(map, guesses, options, 1e-3 * extent_of(box));
+  const std::vector<NewtonEnd> final_ends = newton(map, guesses, options, 1e-3 * extent_of(box), nullptr, true);
   for (std::size_t i = 0; i < which.size(); ++i) ends[which[i]] = final_ends[i];
   return ends;
 }
@@ -126,6 +127,8 @@ std::vector<FixedPoint> detail::scan(const PlanarMap& map, const Rectangle& box,
   FixedPointOptions options = wanted;
   options.extent = std::min(wanted.extent, extent_of(box));
   std::vector<std::optional<FixedPoint>> found;
+  // Degenerate points that are enough to see that they are not isolated.
+  constexpr std::size_t max_degenerate = 2000;
   // Points outside the box are not wanted: iterations may leave it for a while, but not for the singularities around
   // it.
   const double reach = 2 * grid.cell(), aside = std::max(box.width(), reach), above = std::max(box.height(), reach);
@@ -142,11 +145,14 @@ std::vector<FixedPoint> detail::scan(const PlanarMap& map, const Rectangle& box,
     for (std::size_t first = 0; first < rounds; ++first) {
       for (std::size_t k = first; k < in_rows.size(); k += rounds) seeds.push_back(in_rows[k]);
     }
-    for (std::size_t round = 0; round < seeds.size() && (!allowance || allowance->has(0)); round += seeds_a_round) {
+    std::size_t degenerate = 0;
+    for (std::size_t round = 0;
+         round < seeds.size() && (!allowance || allowance->has(0)) && degenerate < max_degenerate;
+         round += seeds_a_round) {
       for_each_block(std::min(seeds_a_round, seeds.size() - round), seeds_a_task,
                      [&](std::size_t begin, std::size_t end) {
                        const auto some = std::span(seeds).subspan(round + begin, end - begin);
-                       std::vector<NewtonEnd> ends = newton(met, some, options, reach, &around);
+                       std::vector<NewtonEnd> ends = newton(met, some, options, reach, &around, true);
                        if (&met != &map) ends = by_the_map_itself(map, ends, box, options);
                        std::vector<std::size_t> which;
                        std::vector<Point> at;
@@ -158,6 +164,11 @@ std::vector<FixedPoint> detail::scan(const PlanarMap& map, const Rectangle& box,
                        const std::vector<FixedPoint> points = describe(map, at, options);
                        for (std::size_t k = 0; k < which.size(); ++k) found[which[k]] = points[k];
                      });
+      throw_if_cancelled();
+      for (std::size_t k = round; k < std::min(round + seeds_a_round, seeds.size()); ++k) {
+        const std::optional<FixedPoint>& point = found[known + k];
+        if (point && index_of(*point, options.period) == 0) ++degenerate;
+      }
     }
   };
   // Where all points of the grid can be followed both ways, seeds of the map itself add none but far more stretched
@@ -171,6 +182,7 @@ std::vector<FixedPoint> detail::scan(const PlanarMap& map, const Rectangle& box,
   if (!followed) follow(map, grid.seeds());
   std::vector<FixedPoint> result;
   for (const std::optional<FixedPoint>& point : found) {
+    throw_if_cancelled();
     if (!point) continue;
     const auto same = std::find_if(result.begin(), result.end(), [&](const FixedPoint& other) {
       return length({other.at.x - point->at.x, other.at.y - point->at.y}) <= 1e-6 * size_at(other.at, options.extent);

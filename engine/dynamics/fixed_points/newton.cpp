@@ -10,18 +10,22 @@ namespace lober::detail {
 
 namespace {
 
-/// Solves (D - 1) s = -gap.
-Point newton_step(const Displacement& here) {
+/// Solves (D - 1) s = -gap; if `singular`, where D - 1 is so to rounding, the shortest s that comes nearest to that.
+Point newton_step(const Displacement& here, bool singular) {
   const Matrix2 a{here.derivative.xx - 1, here.derivative.xy, here.derivative.yx, here.derivative.yy - 1};
   const double d = determinant(a);
+  const double squares = a.xx * a.xx + a.xy * a.xy + a.yx * a.yx + a.yy * a.yy;
+  if (singular && std::abs(d) <= 1e-15 * squares && squares > 0) {
+    return {-(a.xx * here.gap.x + a.yx * here.gap.y) / squares, -(a.xy * here.gap.x + a.yy * here.gap.y) / squares};
+  }
   return {(a.xy * here.gap.y - a.yy * here.gap.x) / d, (a.yx * here.gap.x - a.xx * here.gap.y) / d};
 }
 
 // Newton's method from one guess, one displacement at a time.
 class Iteration {
  public:
-  Iteration(Point guess, double extent, const Rectangle* within, bool may_creep)
-      : extent_(extent), within_(within), may_creep_(may_creep), next_(guess) {}
+  Iteration(Point guess, double extent, const Rectangle* within, bool may_creep, bool singular)
+      : extent_(extent), within_(within), may_creep_(may_creep), singular_(singular), next_(guess) {}
 
   [[nodiscard]] bool ended() const { return ended_; }
   /// Where the displacement is wanted next.
@@ -84,7 +88,7 @@ class Iteration {
     ++round_;
     halvings_ = 0;
     accepted_ = false;
-    step_ = newton_step(here);
+    step_ = newton_step(here, singular_);
     const double size = length(step_);
     ended_ = round_ == max_rounds || !(best_.residual > 0) || !std::isfinite(size);
     close_ = size <= 1e-8 * size_at(z_, extent_);
@@ -95,7 +99,7 @@ class Iteration {
 
   double extent_;
   const Rectangle* within_;
-  bool may_creep_;
+  bool may_creep_, singular_;
   Point z_{}, step_{}, next_;
   NewtonEnd best_{};
   double earlier_residual_ = std::numeric_limits<double>::infinity();
@@ -132,12 +136,12 @@ NewtonEnd newton(const PlanarMap& map, Point guess, const FixedPointOptions& opt
 }
 
 std::vector<NewtonEnd> newton(const PlanarMap& map, std::span<const Point> guesses, const FixedPointOptions& options,
-                              double reach, const Rectangle* within) {
+                              double reach, const Rectangle* within, bool singular) {
   std::vector<Iteration> iterations;
   iterations.reserve(guesses.size());
   // In searches of flows the work is better spent on a finer grid than on iterations that creep.
   const bool may_creep = within == nullptr || map.work() + map.work_of_derivatives() == 0;
-  for (const Point guess : guesses) iterations.emplace_back(guess, options.extent, within, may_creep);
+  for (const Point guess : guesses) iterations.emplace_back(guess, options.extent, within, may_creep, singular);
   std::vector<std::size_t> open(guesses.size());
   std::iota(open.begin(), open.end(), std::size_t{0});
   std::vector<std::size_t> with_derivative, without;

@@ -32,8 +32,10 @@ struct NewtonEnd {
 NewtonEnd newton(const PlanarMap& map, Point guess, const FixedPointOptions& options, double reach);
 /// The same from many guesses, whose images are asked for together: flows follow several points at a time. An iteration
 /// that leaves `within`, if that is not null, has not converged: outside, images may take as long as they like.
+/// `singular`: where D - 1 is singular to rounding, as on a curve of fixed points, a step is the shortest that comes
+/// nearest to a zero; otherwise it leads to infinity, and the iteration ends.
 [[nodiscard]] std::vector<NewtonEnd> newton(const PlanarMap& map, std::span<const Point> guesses,
                                             const FixedPointOptions& options, double reach,
-                                            const Rectangle* within = nullptr);
+                                            const Rectangle* within = nullptr, bool singular = false);
 
 }  // namespace lober::detail

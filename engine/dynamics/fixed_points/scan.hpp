@@ -55,4 +55,9 @@ class SearchAllowance {
                                            const DisplacementGrid& grid, const HalfWayMap* half_way,
                                            const SearchAllowance* allowance = nullptr);
 
+/// Whether the degenerate ones among these points are not isolated, but lie on a curve or in an area of fixed points:
+/// Newton's method then ends at further ones between them. `cell`: the diagonal of a cell of the scan that found them.
+[[nodiscard]] bool fill_a_curve(const PlanarMap& map, const std::vector<FixedPoint>& points,
+                                const FixedPointOptions& options, double cell);
+
 }  // namespace lober::detail

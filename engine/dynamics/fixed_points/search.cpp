@@ -103,6 +103,16 @@ bool same_points(const std::vector<FixedPoint>& a, const std::vector<FixedPoint>
          });
 }
 
+// Leaves some dozens of the degenerate points.
+void thin_out(std::vector<FixedPoint>& points, int period) {
+  constexpr std::size_t enough = 48;
+  const auto degenerate = [&](const FixedPoint& point) { return index_of(point, period) == 0; };
+  const auto count = static_cast<std::size_t>(std::count_if(points.begin(), points.end(), degenerate));
+  const std::size_t step = (count + enough - 1) / enough;
+  std::size_t number = 0;
+  std::erase_if(points, [&](const FixedPoint& point) { return degenerate(point) && number++ % step != 0; });
+}
+
 bool inside(const Rectangle& box, Point z) {
   return box.min_x < z.x && z.x < box.max_x && box.min_y < z.y && z.y < box.max_y;
 }
@@ -161,6 +171,13 @@ FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
     const bool same = !first && same_points(found, search.points, extent_of(box));
     search.points = std::move(found);
     search.grid = each.grid;
+    FixedPointOptions near = each;
+    near.extent = std::min(each.extent, extent_of(box));
+    if (fill_a_curve(map, search.points, near, grid.cell())) {
+      search.isolated = false;
+      thin_out(search.points, options.period);
+      return search;
+    }
     search.index_sum = 0;
     bool degenerate = false;
     for (const FixedPoint& point : search.points) {

@@ -99,7 +99,7 @@ struct MidpointColumn {
 };
 
 /// The steps of block in the lanes from `lane` on, as many as a V holds. Rhs: size, forcings (numbers that depend on
-/// time only, for each stage) and operator()(const V* x, V* dxdt, const V* forcing).
+/// time only, for each stage), own_units (component_scales.hpp) and operator()(const V* x, V* dxdt, const V* forcing).
 template <typename V, typename Rhs>
 LOBER_INLINE void extrapolation_step(const Rhs& rhs, StepBlock<Rhs::size>& block, std::size_t lane) {
   constexpr int size = Rhs::size;
@@ -132,7 +132,13 @@ LOBER_INLINE void extrapolation_step(const Rhs& rhs, StepBlock<Rhs::size>& block
   V worst(0.0), all(0.0), end[size];
   for (int i = 0; i < size; ++i) {
     end[i] = x[i] + change[i];
-    const V allowed = block.tolerance * (1.0 + magnitude(x[i]) + magnitude(h * slope[i]));
+    V allowed(0.0);
+    if constexpr (Rhs::own_units) {
+      allowed = block.tolerance * (load_number<V>(block.scale[i] + lane) + magnitude(x[i]) + magnitude(h * slope[i])) +
+                magnitude(h) * load_number<V>(block.noise[i] + lane);
+    } else {
+      allowed = block.tolerance * (1.0 + magnitude(x[i]) + magnitude(h * slope[i]));
+    }
     const V share = magnitude(error[i]) / allowed;
     worst = greater_number(worst, share);
     all += share;

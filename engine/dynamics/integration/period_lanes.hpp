@@ -22,9 +22,15 @@ class PeriodLanes {
  public:
   /// `forward`: the direction of time, +1 or -1. `halves`: the halves of a period that a trajectory is followed for, 1
   /// or 2.
-  PeriodLanes(const ForcingTable<Field>& table, const IntegrationOptions& options, int guarded, int forward, int halves,
-              Queue& queue)
-      : table_(table), options_(options), guarded_(guarded), forward_(forward), halves_(halves), queue_(queue) {
+  PeriodLanes(const Rhs& rhs, const ForcingTable<Field>& table, const IntegrationOptions& options, int guarded,
+              int forward, int halves, Queue& queue)
+      : rhs_(rhs),
+        table_(table),
+        options_(options),
+        guarded_(guarded),
+        forward_(forward),
+        halves_(halves),
+        queue_(queue) {
     for (int level = 0; level <= deepest_level; ++level) steps_[level] = std::ldexp(forward * table.period(), -level);
   }
 
@@ -41,6 +47,7 @@ class PeriodLanes {
     const double error = block.error[lane];
     if (++here.tries > options_.max_steps) return lost(here);
     if (!(error <= 1)) {
+      measure_noise(rhs_, block, lane, ++here.refusals);
       ++here.level;
       here.position *= 2;
       if (here.level > deepest_level) return lost(here);
@@ -50,6 +57,8 @@ class PeriodLanes {
     if (!end_in_bounds(block, lane, guarded_, options_.escape)) return lost(here);
     double state[Rhs::size];
     for (int i = 0; i < Rhs::size; ++i) block.x[i][lane] = state[i] = block.end[i][lane];
+    widen_scales<Rhs>(block, lane);
+    here.refusals = 0;
     ++here.position;
     // Half a period ends between steps, as these are no longer than it: level 1 at least.
     if (2 * here.position == std::int64_t{halves_} << here.level) {
@@ -76,6 +85,7 @@ class PeriodLanes {
     std::int64_t position = 0;
     int level = 0;
     int tries = 0;
+    int refusals = 0;  // refusals of the present step
   };
   /// Where a trajectory begins: coarse steps are tried first, and cost one try for each level that they are too long.
   static constexpr int first_level = 3;
@@ -87,7 +97,8 @@ class PeriodLanes {
     for (int i = 0; i < Rhs::size; ++i) block.x[i][lane] = state[i];
     here.position = 0;
     here.level = first_level;
-    here.tries = 0;
+    here.tries = here.refusals = 0;
+    begin_scales<Rhs>(block, lane, state, guarded_);
     set_step(block, lane);
   }
 
@@ -102,6 +113,7 @@ class PeriodLanes {
     return false;
   }
 
+  const Rhs& rhs_;
   const ForcingTable<Field>& table_;
   const IntegrationOptions& options_;
   int guarded_;

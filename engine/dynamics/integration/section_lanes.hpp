@@ -66,6 +66,7 @@ class SectionLanes {
     double level = 0;  // value of the coordinate on the section: one of them, where it is an angle
     double side = 0;   // side of the section where the step begins; only the sign matters
     int tries = 0;
+    int refusals = 0;  // refusals of the present step
     bool locating = false;
     // While a crossing is located:
     Bracket bracket, next;  // next.side is 0 if there is no second one
@@ -104,12 +105,13 @@ class SectionLanes {
     rhs_(state, slope, state);  // there is no forcing
     for (int i = 0; i < size; ++i) block.x[i][lane] = state[i];
     here.t = 0;
-    here.tries = 0;
+    here.tries = here.refusals = 0;
+    begin_scales<Rhs>(block, lane, state, guarded_);
     here.locating = false;
     here.level = nearest_level(state[axis_]);
     here.side = off(here, state[axis_]);
     if (here.side == 0) here.side = forward_ * slope[axis_];
-    here.h = forward_ * first_step(state, slope, guarded_, options_.tolerance);
+    here.h = forward_ * first_step<Rhs>(state, slope, guarded_, options_.tolerance, 1e-3 * options_.max_time);
     if (here.side == 0 || std::isnan(here.side)) {  // along the section
       queue_.lost(here.item);
       return false;
@@ -129,6 +131,7 @@ class SectionLanes {
     if (++here.tries > options_.max_steps) return lost(here);
     here.h = h * step_factor(error);
     if (!(error <= 1)) {
+      measure_noise(rhs_, block, lane, ++here.refusals);
       if (here.t + here.h == here.t) return lost(here);
       set_step(block, lane);
       return true;
@@ -140,6 +143,7 @@ class SectionLanes {
       set_step(block, lane);
       return true;
     }
+    here.refusals = 0;
     choose_level(here, begin, end);
     here.step = h;
     for (int i = 0; i < size; ++i) here.end[i] = block.end[i][lane];
@@ -192,6 +196,7 @@ class SectionLanes {
     }
     here.locating = false;
     for (int i = 0; i < size; ++i) block.x[i][lane] = here.end[i];
+    widen_scales<Rhs>(block, lane);
     here.t += here.step;
     if (std::abs(here.t) >= options_.max_time) return lost(here);
     const double value = off(here, here.end[axis_]);

@@ -34,8 +34,10 @@ class SpanLanes {
     rhs_(state, slope, force);
     for (int i = 0; i < Rhs::size; ++i) block.x[i][lane] = state[i];
     here.t = from_;
-    here.tries = 0;
-    here.h = std::copysign(first_step(state, slope, guarded_, options_.tolerance), to_ - from_);
+    here.tries = here.refusals = 0;
+    begin_scales<Rhs>(block, lane, state, guarded_);
+    here.h = std::copysign(first_step<Rhs>(state, slope, guarded_, options_.tolerance, 0.125 * std::abs(to_ - from_)),
+                           to_ - from_);
     set_step(block, lane);
     return true;
   }
@@ -45,6 +47,7 @@ class SpanLanes {
     const double error = block.error[lane], h = block.h[lane], proposed = h * step_factor(error);
     if (++here.tries > options_.max_steps) return lost(here);
     if (!(error <= 1)) {
+      measure_noise(rhs_, block, lane, ++here.refusals);
       here.h = proposed;
       if (here.t + here.h == here.t) return lost(here);
       set_step(block, lane);
@@ -53,6 +56,8 @@ class SpanLanes {
     if (!end_in_bounds(block, lane, guarded_, options_.escape)) return lost(here);
     double state[Rhs::size];
     for (int i = 0; i < Rhs::size; ++i) block.x[i][lane] = state[i] = block.end[i][lane];
+    widen_scales<Rhs>(block, lane);
+    here.refusals = 0;
     if (here.last) {
       queue_.arrived(here.item, state);
       return false;
@@ -75,6 +80,7 @@ class SpanLanes {
     double t = 0;
     double h = 0;  // as long as errors allow
     int tries = 0;
+    int refusals = 0;  // refusals of the present step
     bool last = false;
   };
 

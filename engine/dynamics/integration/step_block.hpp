@@ -22,6 +22,9 @@ struct alignas(64) StepBlock {
   Row h;                               ///< its length, of either sign
   const double* forcing[block_lanes];  ///< the numbers of Field::forcing at stage_offset(0), stage_offset(1), ...
   double tolerance = 0;
+  // For right-hand sides of one's own units only (own_units):
+  Row scale[size];  ///< the largest size of each component on its trajectory so far
+  Row noise[size];  ///< rounding of its velocity, as far as it is known (component_scales.hpp)
 
   // Computed.
   Row end[size];    ///< the state where it ends
@@ -39,6 +42,8 @@ struct alignas(64) StepBlock {
       x[i][to] = x[i][from];
       end[i][to] = end[i][from];
       slope[i][to] = slope[i][from];
+      scale[i][to] = scale[i][from];
+      noise[i][to] = noise[i][from];
       end_slope[i][to] = end_slope[i][from];
       for (auto& part : way) part[i][to] = part[i][from];
     }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "engine/dynamics/integration/component_scales.hpp"
 #include "engine/dynamics/integration/step_block.hpp"
 #include "kernels/elementary.hpp"
 #include "lober/dynamics/flow.hpp"
@@ -48,7 +49,12 @@ inline double step_factor(double error) {
 
 /// A step on which the guarded coordinates change by about the eleventh root of the tolerance, relative to their size
 /// (Hairer, Norsett & Wanner, II.4, in short): from the point alone, so that a point does not depend on its batch.
-inline double first_step(const double* x, const double* slope, int guarded, double tolerance) {
+/// `longest`: where coordinates may be in any unit (own_units).
+template <typename Rhs>
+double first_step(const double* x, const double* slope, int guarded, double tolerance, double longest) {
+  if (Rhs::own_units && !has_large_coordinate(x, guarded)) {
+    return first_step_by_sizes(x, slope, guarded, elementary::power(tolerance, 1.0 / error_power), longest);
+  }
   double size = 0, speed = 0;
   for (int k = 0; k < guarded; ++k) {
     size = std::max(size, std::abs(x[k]));

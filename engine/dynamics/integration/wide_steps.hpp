@@ -20,6 +20,7 @@ namespace lober::detail {
 /// forcings is 0, or 1 and then the forcing is the time.
 template <typename Rhs>
 class WideSteps {
+  static_assert(Rhs::own_units);
   static constexpr std::size_t size = Rhs::size;
 
  public:
@@ -139,7 +140,9 @@ class WideSteps {
         }
         const double x = x_[i * count + k], slope = slope_[i * count + k];
         const double end = x + change;
-        const double allowed = block.tolerance * (1.0 + std::abs(x) + std::abs(block.h[lane] * slope));
+        const double h = std::abs(block.h[lane]);
+        const double allowed =
+            block.tolerance * (block.scale[i][lane] + std::abs(x) + std::abs(h * slope)) + h * block.noise[i][lane];
         const double share = std::abs(error) / allowed;
         worst = share > worst ? share : worst;
         all += share;

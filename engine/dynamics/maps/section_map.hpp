@@ -116,12 +116,33 @@ class SectionChart {
   /// Fills in the solved coordinate: H is a v^2 + b v + c in it, known from three values.
   [[nodiscard]] bool solve(State& x) const {
     double& v = x[at(section_.solved)];
-    const auto excess = [&](double value) {
-      v = value;
+    double unit = 1;
+    const auto excess = [&](double units) {
+      v = units * unit;
       return field_.hamiltonian(x.data(), x.data()) - energy_;
     };
-    const double below = excess(-1), c = excess(0), above = excess(1);
-    const double a = 0.5 * (above + below) - c, b = 0.5 * (above - below);
+    double a = 0, b = 0, c = 0;
+    const auto measure = [&] {
+      const double below = excess(-1), above = excess(1);
+      c = excess(0);
+      a = 0.5 * (above + below) - c;
+      b = 0.5 * (above - below);
+    };
+    measure();
+    if constexpr (has_own_units<Field>()) {
+      // A unit in which v adds about as much to the energy as there is of it.
+      constexpr double far = 4096, out_of_sight = 1e-9;
+      const double energy = std::abs(energy_) + std::abs(c + energy_);
+      const auto part = [&] { return std::max(std::abs(a), std::abs(b)); };
+      if (energy > 0 && (part() > far * energy || far * part() < energy)) {
+        for (int k = 0; k < 60 && part() <= out_of_sight * energy; ++k) {  // lost in the rounding of the rest
+          unit *= 1e4;
+          measure();
+        }
+        unit *= std::min(std::sqrt(energy / std::abs(a)), energy / std::abs(b));
+        measure();
+      }
+    }
     const double scale = std::abs(a) + std::abs(b) + std::abs(c);
     if (std::abs(excess(2) - (4 * a + 2 * b + c)) > 1e-9 * scale) {
       throw UsageError("the Hamiltonian is not quadratic in the coordinate that the section solves for");
@@ -133,8 +154,8 @@ class SectionChart {
     const double wanted = std::copysign(std::sqrt(discriminant), section_.direction * conjugate_.factor);
     double root = wanted * b > 0 ? -2 * c / (b + wanted) : (wanted - b) / (2 * a);
     root -= excess(root) / wanted;
-    v = root;
-    return std::isfinite(root);
+    v = root * unit;
+    return std::isfinite(v);
   }
 
   Field field_;

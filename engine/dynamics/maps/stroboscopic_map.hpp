@@ -151,7 +151,7 @@ class StroboscopicMap final : public PlanarMap {
   template <typename Rhs, typename Queue>
   std::uint64_t follow(const Rhs& rhs, const IntegrationOptions& options, int forward, int halves, Queue& queue) const {
     return step_stages * run_queue(rhs, options.tolerance, [&] {
-             return PeriodLanes<Rhs, Field, Queue>(*forcing_, options, 2, forward, halves, queue);
+             return PeriodLanes<Rhs, Field, Queue>(rhs, *forcing_, options, 2, forward, halves, queue);
            });
   }
 

@@ -123,6 +123,13 @@ LOBER_API void require_same_columns(const Curve& first, const Curve& second);
 /// of them is moved by 360. Nearly always empty, also where files do not name their columns. The period mends it
 /// (ReadOptions::periods and move_near). O(N).
 [[nodiscard]] LOBER_API std::string longitudes_warning(const Curve& first, const Curve& second);
+/// NamedCurve::warning of a curve whose file has this header. O(N), parallel.
+[[nodiscard]] LOBER_API std::string date_line_warning(std::string_view header, std::span<const Point> points);
+/// The remedy of both as a manifest has it: `periodic = "x=360"`, or of y where latitudes come first.
+[[nodiscard]] LOBER_API std::string period_of_longitudes(const Curve& curve);
+/// Whether a file begins as text does; false for one that is empty or cannot be read. Zones of other files may have
+/// ids.
+[[nodiscard]] LOBER_API bool begins_as_text(const std::string& path);
 
 /// The number of points of a file: exact for NPY and raw float64; for text, GeoJSON and WKT an estimate from the first
 /// lines or positions, for files compressed by gzip one from above. 0 if the file cannot be read. At most 64 KiB are

@@ -89,8 +89,11 @@ struct FixedPointSearch {
   std::vector<FixedPoint> points;  ///< as find_fixed_points gives them; may be empty
   int grid = 0;                    ///< grid of the last scan
   bool settled = false;            ///< the last scan found what the one before had found, and no index contradicts it
-  bool out_of_work = false;        ///< the allowed work ended the search: the points are those found by then
-  int index_sum = 0;               ///< sum of the indices of the points inside the box
+  /// Whether the points are isolated, as far as the search can tell. Where they fill a curve or an area it ends after
+  /// one scan, and `points` has some dozens of them.
+  bool isolated = true;
+  bool out_of_work = false;  ///< the allowed work ended the search: the points are those found by then
+  int index_sum = 0;         ///< sum of the indices of the points inside the box
   /// How often f^period(z) - z - shift turns round while z runs round the box: the sum of the indices of all points
   /// inside, where the map is continuous there. None where a point lies next to the edge of the box or is degenerate,
   /// or some point of the box has no image.
@@ -99,9 +102,9 @@ struct FixedPointSearch {
 
 /// The points in a box, by scans on grids of options.grid, twice as many, ... points a side, until two in a row find
 /// the same points and the sum of their indices is that of the box; the last scan has at most max_grid points a side.
-/// The first grid is coarser where its points alone would take more than a quarter of the work that is allowed.
-/// `progress` is called when a scan begins. Throws UsageError, Cancelled. Parallel; the same
-/// bits for any number of threads.
+/// Fixed points that are not isolated, but fill a curve or an area, end it after one scan. The first grid is coarser
+/// where its points alone would take more than a quarter of the work that is allowed. `progress` is called when a scan
+/// begins. Throws UsageError, Cancelled. Parallel; the same bits for any number of threads.
 [[nodiscard]] LOBER_API FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
                                                              const FixedPointOptions& options = {}, int max_grid = 384,
                                                              const Progress& progress = {});

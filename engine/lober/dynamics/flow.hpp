@@ -34,8 +34,11 @@ struct ConjugatePair {
 
 /// How trajectories are integrated.
 struct IntegrationOptions {
-  /// Error of a step, for each component: tolerance * (1 + |x| + |dt dx/dt|). Errors of a whole trajectory are some ten
-  /// times as large on the built-in systems, times the stretching of the flow.
+  /// Error of a step, for each component: tolerance * (scale + |x| + |dt dx/dt|). The scale is 1 where a coordinate is
+  /// of order one or more (0.01 at least) at the start of the trajectory, as for the built-in systems. On trajectories
+  /// of fields of one's own (VectorField) with small coordinates only, as in SI units of molecules, it is the largest
+  /// |x| that the component has had so far; and where steps are refused again and again the rounding of the velocity is
+  /// allowed. Errors of a whole trajectory are some ten times as large on the built-in systems, times the stretching.
   double tolerance = 1e-12;
   /// A trajectory is lost, and its point NaN, when a coordinate exceeds this (systems of one's own: or a thousand times
   /// the farthest edge of their window, if that is more) ...

@@ -95,9 +95,11 @@ struct System {
   std::vector<Connection> further{};  ///< connections whose boundaries bound more regions
   /// Whether region 1 is not bounded without those: the strip of a cylinder between an upper and a lower boundary.
   bool further_needed = false;
-  std::shared_ptr<const Flow> flow;      ///< null when the system is a map
-  std::vector<FlowState> saddles;        ///< states near the saddles of rank 1 that bound a well (engine/escape)
-  std::optional<Section> section;        ///< section of the map, when it is a return map
+  std::shared_ptr<const Flow> flow;  ///< null when the system is a map
+  std::vector<FlowState> saddles;    ///< states near the saddles of rank 1 that bound a well (engine/escape)
+  std::optional<Section> section;    ///< section of the map, when it is a return map
+  /// Names of the flow's coordinates, in their order, where the system gives them: sections can be named by them.
+  std::vector<std::string> coordinates{};
   std::vector<Symmetry> symmetries;      ///< symmetries of the map known for these parameters, lattice aside
   std::shared_ptr<const PlanarMap> map;  ///< null for a flow whose map is not defined by its canonical section
 };

@@ -6,9 +6,9 @@
 #include "engine/batch/manifest/curve_set.hpp"
 #include "engine/batch/manifest/plan.hpp"
 #include "engine/batch/work_queue.hpp"
-#include "engine/files/zone_names.hpp"
 #include "lober/batch.hpp"
 #include "lober/curve/files.hpp"
+#include "lober/curve/zone_names.hpp"
 #include "tests/engine/batch/scratch_folder.hpp"
 #include "tests/refusal.hpp"
 

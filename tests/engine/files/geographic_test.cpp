@@ -60,7 +60,7 @@ TEST_F(Geographic, DateLinesAreWarnedOfUnlessThereIsAPeriod) {
   EXPECT_NE(read_curve(greenwich, true).warning.find("crosses the meridian of 0"), std::string::npos);
   EXPECT_NE(read_curve(greenwich, true).remark.find("subtract 360 from longitudes above 180"), std::string::npos);
   const std::string remark = read_curve(circle("lon,lat", 175), true).remark;
-  EXPECT_NE(remark.find("or give --periodic x=360"), std::string::npos) << remark;
+  EXPECT_NE(remark.find("or give the period x=360"), std::string::npos) << remark;
 }
 
 TEST_F(Geographic, LongitudesThatAreCountedDifferentlyAreWarnedOf) {
