@@ -8,6 +8,23 @@
 namespace lober::detail {
 namespace {
 
+struct FractionNames {
+  std::string name, meaning, error, meaning_of_error;
+};
+
+FractionNames names_of(std::size_t bottlenecks, std::size_t entrance, std::size_t exit, double n) {
+  const std::string from = std::to_string(entrance), to = std::to_string(exit), crossing = format_number(n);
+  const bool several = bottlenecks > 1;
+  FractionNames names;
+  names.name = "fraction_" + (several ? from + "_" + to + "_" : "") + crossing;
+  const std::string who = several ? " entering by bottleneck " + from + " that leave by bottleneck " + to
+                                  : std::string(" entering that leave");
+  names.meaning = "fraction of those" + who + " at crossing " + crossing;
+  names.error = names.name + "_error";
+  names.meaning_of_error = "error of " + names.name;
+  return names;
+}
+
 // The table goes by entrance, then by exit, then by crossing: a crossing that is not the one after the last begins the
 // next exit. Entrances and exits are the same bottlenecks, in the same order.
 std::vector<std::pair<Column, double>> fractions(const Result& result) {
@@ -19,15 +36,9 @@ std::vector<std::pair<Column, double>> fractions(const Result& result) {
   if (bottlenecks * bottlenecks != blocks || fraction.size() != n.size() || error.size() != n.size()) return {};
   std::vector<std::pair<Column, double>> columns;
   for (std::size_t k = 0; k < n.size(); ++k) {
-    const std::string entrance = std::to_string(block[k] / bottlenecks + 1),
-                      exit = std::to_string(block[k] % bottlenecks + 1), crossing = format_number(n[k]),
-                      name = "fraction_" + (bottlenecks > 1 ? entrance + "_" + exit + "_" : "") + crossing;
-    const std::string who = bottlenecks > 1
-                                ? " entering by bottleneck " + entrance + " that leave by bottleneck " + exit
-                                : std::string(" entering that leave");
-    columns.push_back(
-        {{name, Column::Kind::real, "", "fraction of those" + who + " at crossing " + crossing}, fraction[k]});
-    columns.push_back({{name + "_error", Column::Kind::real, "", "error of " + name}, error[k]});
+    const FractionNames names = names_of(bottlenecks, block[k] / bottlenecks + 1, block[k] % bottlenecks + 1, n[k]);
+    columns.push_back({{names.name, Column::Kind::real, "", names.meaning}, fraction[k]});
+    columns.push_back({{names.error, Column::Kind::real, "", names.meaning_of_error}, error[k]});
   }
   return columns;
 }

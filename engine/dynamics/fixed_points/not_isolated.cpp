@@ -39,6 +39,7 @@ bool fill_a_curve(const PlanarMap& map, const std::vector<FixedPoint>& points, c
   }
   if (pairs.size() < min_pairs) return false;
   std::vector<Point> between;
+  between.reserve(pairs.size());
   for (const auto& [a, b] : pairs) between.push_back({0.5 * (a.x + b.x), 0.5 * (a.y + b.y)});
   const std::vector<NewtonEnd> ends = newton(map, between, options, cell, nullptr, true);
   std::size_t further = 0;
