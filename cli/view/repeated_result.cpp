@@ -125,7 +125,10 @@ void add_repeated_curves(std::vector<std::string>& arguments, const Json& result
     std::string name = is_name ? input.get<std::string>() : input.value("spec", input.at("file").get<std::string>());
     if (!is_name && input.contains("zone") && !input.contains("spec")) name.append("#").append(input.at("zone").dump());
     require_same(detail::file_of_curve(name), is_name ? result.at("sha256").at(k) : input.at("sha256"));
-    if (is_system(name)) throw DataError(path + ": names the system " + name + " where a curve is expected");
+    if (is_system(name)) {
+      std::string message = path;
+      throw DataError(message.append(": names the system ").append(name).append(" where a curve is expected"));
+    }
     arguments.push_back(as_argument(name));
     if (!is_name && input.value("reversed", false)) reversed += k == 0 ? "u" : "s";
   }
