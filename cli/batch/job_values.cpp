@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "engine/base/nearest_word.hpp"
 #include "engine/batch/export/export.hpp"
@@ -14,12 +15,11 @@ namespace {
 
 const std::string option_prefix = "parameters.";
 
-// "K" of the option "parameters.K".
+}  // namespace
+
 std::string short_option(const std::string& key) {
   return key.starts_with(option_prefix) ? key.substr(option_prefix.size()) : key;
 }
-
-}  // namespace
 
 JobValues::JobValues(const std::string& store, const std::string& operation, const lober::Progress& progress) {
   const detail::Store opened = detail::Store::open(store);
@@ -47,11 +47,16 @@ JobValues::JobValues(const std::string& store, const std::string& operation, con
                      detail::joined(operations));
   }
   if (found.empty()) throw DataError(store + ": no job is done yet, so there is nothing to draw");
-  const detail::SpreadTable table = detail::spread_table(*wanted, [&](const auto& take) {
-    for (const detail::Result& result : found) take(result);
-  });
-  operation_ = table.operation;
-  table.results([&](const detail::Result& result) { jobs_.push_back(result); });
+  if (wanted->spread) {
+    const detail::SpreadTable table = detail::spread_table(*wanted, [&](const auto& take) {
+      for (const detail::Result& result : found) take(result);
+    });
+    operation_ = table.operation;
+    table.results([&](const detail::Result& result) { jobs_.push_back(result); });
+  } else {
+    operation_ = *wanted;
+    jobs_ = std::move(found);
+  }
   find_varied();
   find_results();
 }

@@ -15,6 +15,9 @@
 
 namespace lober::cli {
 
+/// The name of an option in pictures and pages: "K" for "parameters.K".
+[[nodiscard]] std::string short_option(const std::string& key);
+
 /// The jobs of one operation that are done, in the order of the plan.
 class JobValues {
  public:

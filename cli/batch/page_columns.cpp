@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "cli/batch/job_values.hpp"
 #include "engine/base/append_text.hpp"
 #include "engine/base/json_text.hpp"
 #include "engine/batch/export/export.hpp"
@@ -126,8 +127,7 @@ class Columns {
       };
       bool are_numbers = true;
       for (std::size_t k = 0; k < jobs_.size() && are_numbers; ++k) are_numbers = !std::isinf(number(k));
-      const std::string parameters = "parameters.";
-      const std::string name = key.starts_with(parameters) ? key.substr(parameters.size()) : key;
+      const std::string name = short_option(key);
       if (are_numbers) {
         add_numbers(name, "given", number);
       } else {

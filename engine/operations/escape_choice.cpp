@@ -55,7 +55,6 @@ int position_coordinate(const System& system, const std::string& name, std::stri
     if (name == names[k]) return pairs[k].q;
   }
   if (name == "x" || name == "y") return pairs[name == "x" ? 0 : 1].q;
-
   throw UsageError(quoted(key) + ": the coordinate has to be " + names[0] + " or " + names[1] + ", not \"" + name +
                    "\"");
 }

@@ -150,9 +150,9 @@ Outcome run_fixed_points(std::span<const Input> inputs, const Options& options, 
   found.box = box;
   found.period = how.period;
   found.turns = how.turns;
-  const bool outcome_isolated = found.isolated;
+  const bool isolated = found.isolated;
   Outcome outcome = outcome_of(std::move(found), options);
-  if (!outcome_isolated) outcome.remarks.emplace_back(not_isolated_remark);
+  if (!isolated) outcome.remarks.emplace_back(not_isolated_remark);
   outcome.chosen.push_back({"box", box});
   outcome.chosen.push_back({"shift", how.shift});
   return outcome;

@@ -13,7 +13,7 @@ namespace lober::detail {
 namespace {
 
 double apart(Point a, Point b) {
-  return length({a.x - b.x, a.y - b.y});
+  return length(a - b);
 }
 
 }  // namespace
