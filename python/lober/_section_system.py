@@ -106,6 +106,30 @@ def _energy(title: str, hamiltonian: bool, energy: Any) -> float | None:
     return number_of(energy, f"system {title}: energy")
 
 
+def _made(
+    field: Any,
+    title: str,
+    summary: str,
+    values: Mapping[str, float],
+    box: Box,
+    shift: Pair,
+    where: Section,
+    tolerance: float,
+) -> _lober.System:
+    """The system of a field for these parameters, which say its energy too."""
+    return _lober.field_system(
+        field,
+        name=title,
+        summary=summary,
+        values=list(values.items()),
+        window=box,
+        lattice=shift,
+        section=where.as_dict(),
+        energy=values.get("energy", 0.0),
+        tolerance=tolerance,
+    )
+
+
 def _complete(made: _lober.System, saddles: Sequence[Any], connection: Connection | None, name: str, names: Sequence[str]) -> System:
     """Adds what is known of a system for its parameters."""
     states = []
@@ -141,17 +165,7 @@ def _of_function(function: Any, options: dict[str, Any]) -> Family:
         field = field_of(
             title, n, velocities(values), hamiltonians(values), 0.0, extent_of(title, box), jacobians(values)
         )
-        made = _lober.field_system(
-            field,
-            name=title,
-            summary=summary_of(function),
-            values=list(values.items()),
-            window=box,
-            lattice=shift,
-            section=where.as_dict(),
-            energy=values.get("energy", 0.0),
-            tolerance=tolerance,
-        )
+        made = _made(field, title, summary_of(function), values, box, shift, where, tolerance)
         saddles = _value(options["saddles"], values)
         return _complete(made, saddles, _value(options["connection"], values), title, names)
 
@@ -207,18 +221,7 @@ def _of_expressions(given: Any, options: dict[str, Any]) -> Family:
 
             h = None if form.h is None else hamiltonian
             field = field_of(title, len(symbols), velocity, h, 0.0, extent_of(title, box), jacobian)
-            made = _lober.field_system(
-                field,
-                name=title,
-                summary="of expressions",
-                values=list(values.items()),
-                window=box,
-                lattice=shift,
-                section=where.as_dict(),
-                energy=values.get("energy", 0.0),
-                tolerance=tolerance,
-            )
-            return complete(made, values)
+            return complete(_made(field, title, "of expressions", values, box, shift, where, tolerance), values)
 
         return Family(title, parameters, vectorised)
 
