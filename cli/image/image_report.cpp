@@ -56,7 +56,7 @@ std::string image_table(const ImageReport& report) {
   std::string text = agreement_text(found.agreement) + system_text(*report.system.system) + "\n";
   text += fmt::format("curve      {}, {}\n", report.curve(), found.closed ? "closed" : "open");
   if (report.input && !report.input->remark.empty()) text += "curve      " + report.input->remark + "\n";
-  text += fmt::format("tolerance  {:g}\n", report.outcome.options.real("tolerance"));
+  text += fmt::format("tolerance  {:g}\n", found.tolerance);
   std::size_t names = 6;
   if (!found.images.empty()) {
     operations::CurveImages::One widest;

@@ -58,7 +58,7 @@ const OptionList<ConnectionChoice>& connection_options() {
                 {.otherwise = "the system's"})
         .option("bip", &Choice::bip,
                 "point near the boundary intersection point, the pip at which the boundary passes from U to S",
-                {.otherwise = "the system's, or the middle pip"});
+                {.otherwise = "the system's, or the pip halfway, up to which U is as long as S"});
     return list;
   }();
   return options;

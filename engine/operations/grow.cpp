@@ -27,7 +27,7 @@ struct GrowHow : GrowthOptions {
   std::optional<std::string> branch{};
   int period = 1, turns = 0;
   std::optional<std::int64_t> iterates{}, max_memory{};
-  std::optional<double> length{}, max_length{};
+  std::optional<double> tolerance_given{}, length{}, max_length{};
   std::optional<Rectangle> box{};
 };
 
@@ -43,10 +43,8 @@ const OptionList<GrowHow>& grow_options() {
                 {.otherwise = "the branch of the system's tangle, or else +", .value = "+|-|X,Y"})
         .option("period", &GrowHow::period, "least period of the saddle, in iterates of the map",
                 {.min = 1, .max = 1000, .value = "P"});
-    add_turns_option(list)
-        .option("tolerance", &GrowHow::tolerance,
-                "maximum distance between the manifold and its polygon, in units of the coordinates",
-                {.min = 0, .above_min = true, .value = "LENGTH"})
+    add_turns_option(list);
+    add_tolerance_option(list, "maximum distance between the manifold and its polygon")
         .option("iterates", &GrowHow::iterates, "number of images of the local manifold after which growing ends",
                 {.min = 0, .max = 100'000, .otherwise = "no limit, and there has to be a length", .value = "N"})
         .option(
@@ -226,6 +224,7 @@ Outcome run_grow(std::span<const Input> inputs, const Options& options, const Co
   const System& system = *system_of(inputs).system;
   const GrowHow how = grow_options().how(options);
   GrowthOptions growth = growth_of(how, context);
+  growth.tolerance = tolerance_in(system, how.tolerance_given);
   const Stopwatch watch;
   LocalManifoldOptions near;
   near.period = how.period;
@@ -251,7 +250,7 @@ Outcome run_grow(std::span<const Input> inputs, const Options& options, const Co
   const std::string why = incomplete(found);
   Outcome outcome = outcome_of(std::move(found), options);
   outcome.incomplete = why;
-  outcome.chosen = {{"branch", branch == Branch::plus ? "+" : "-"}};
+  outcome.chosen = {{"branch", branch == Branch::plus ? "+" : "-"}, {"tolerance", growth.tolerance}};
   return outcome;
 }
 

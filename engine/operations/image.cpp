@@ -37,7 +37,7 @@ struct ImageHow : ImageOptions {
   std::optional<Rectangle> rectangle{}, box_given{};
   int first = 1;
   std::optional<std::int64_t> last{};
-  std::optional<double> max_segment{};
+  std::optional<double> tolerance_given{}, max_segment{};
 };
 
 const OptionList<ImageHow>& image_options() {
@@ -59,10 +59,8 @@ const OptionList<ImageHow>& image_options() {
         .option("first", &How::first, "number of iterates of the first image; negative ones are pre-images",
                 {.min = -1000, .max = 1000, .value = "N"})
         .option("last", &How::last, "number of iterates of the last image",
-                {.min = -1000, .max = 1000, .otherwise = "that of the first", .value = "N"})
-        .option("tolerance", &How::tolerance,
-                "maximum distance between an image and its polygon, in units of the coordinates",
-                {.min = 0, .above_min = true, .value = "LENGTH"})
+                {.min = -1000, .max = 1000, .otherwise = "that of the first", .value = "N"});
+    add_tolerance_option(list, "maximum distance between an image and its polygon")
         .option("max_length", &How::max_segment, "maximum length of a segment, in units of the coordinates",
                 {.min = 0, .above_min = true, .otherwise = "no maximum", .value = "LENGTH"})
         .option("box", &How::box_given,
@@ -239,6 +237,7 @@ Outcome run_image(std::span<const Input> inputs, const Options& options, const C
   const System& system = *system_of(inputs).system;
   ImageHow how = image_options().how(options);
   const int last = static_cast<int>(how.last.value_or(how.first));
+  how.tolerance = tolerance_in(system, how.tolerance_given);
   if (how.max_segment) how.max_length = *how.max_segment;
   how.max_points = std::min(how.max_points, std::max<std::size_t>(context.memory / (4 * sizeof(Point)), 1000));
   CurveImages found;
@@ -250,6 +249,7 @@ Outcome run_image(std::span<const Input> inputs, const Options& options, const C
   for (const Point& point : given.second) how.box.add(point);
   how.box = how.box_given.value_or(widened(how.box, 1));
   found.box = how.box;
+  found.tolerance = how.tolerance;
   how.progress = [&](const GrowthProgress& at) {
     if (context.count) context.count(static_cast<double>(at.images), "images of points");
     return context.progress(std::string());
@@ -285,7 +285,7 @@ Outcome run_image(std::span<const Input> inputs, const Options& options, const C
   if (left_out && outcome.incomplete.empty()) {
     outcome.incomplete = "images are left out, since max_points allows no more; give a larger max_points";
   }
-  outcome.chosen = {{"last", std::int64_t{last}}, {"box", outcome.as<CurveImages>().box}};
+  outcome.chosen = {{"last", std::int64_t{last}}, {"box", outcome.as<CurveImages>().box}, {"tolerance", how.tolerance}};
   return outcome;
 }
 

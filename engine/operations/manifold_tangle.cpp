@@ -20,7 +20,7 @@ using namespace operations;
 namespace {
 
 struct ManifoldsHow : ManifoldTangleOptions {
-  std::optional<double> seconds{};
+  std::optional<double> tolerance_given{}, seconds{};
   bool overlaps = false;
 };
 
@@ -78,6 +78,7 @@ Outcome run_manifold_tangle(std::span<const Input> inputs, const Options& option
   ManifoldsHow how = manifolds_options().how(options);
   const ConnectionChoice choice = connection_options().how(options);
   const Connection connection = chosen_connection(choice, system);
+  how.tolerance = tolerance_in(system, how.tolerance_given);
   if (choice.bip) how.bip_near = choice.bip;
   if (how.seconds) how.budget = *how.seconds;
   constexpr std::size_t bytes_per_point = 240;  // two manifolds that are grown, and data made from them
@@ -92,6 +93,7 @@ Outcome run_manifold_tangle(std::span<const Input> inputs, const Options& option
   found.agreement = agreement_of(*grown);
   Outcome outcome = outcome_of(std::move(found), options);
   outcome.chosen = settings_of(connection);
+  outcome.chosen.push_back({"tolerance", how.tolerance});
   return outcome;
 }
 

@@ -24,7 +24,7 @@ namespace {
 
 struct SweepHow {
   std::optional<std::string> range{};
-  double tolerance = ManifoldTangleOptions{}.tolerance;
+  std::optional<double> tolerance_given{};
   std::size_t max_points = ManifoldTangleOptions{}.max_points;
   bool find_zeros = SweepOptions{}.find_zeros, melnikov = false;
 };
@@ -208,12 +208,14 @@ class Sweeper {
     if (!input_.with) throw UsageError("a sweep needs a system whose parameters can be changed");
   }
 
+  [[nodiscard]] double tolerance() const { return tolerance_in(member(range_.values.front()), how_.tolerance_given); }
+
   SystemSweep run() const {
     const System first = member(range_.values.front());  // also so that wrong names are reported at once
     if (first.no_connection.empty()) (void)chosen_connection(choice_, first);
     if (how_.melnikov) (void)perturbation_of(first);
     SweepOptions options;
-    options.tangle.tolerance = how_.tolerance;
+    options.tangle.tolerance = tolerance();
     options.tangle.max_points = how_.max_points;
     options.find_zeros = how_.find_zeros;
     options.progress = [&](double done) { return context_.progress(how_.melnikov ? 0.95 * done : done, "values"); };
@@ -301,7 +303,9 @@ Operation sweep_operation() {
                          {{"range", "gamma=1.4:1.41:0.01"}, {"find_zeros", true}},
                          "where the two sides of a turnstile change places"}};
   operation.run = [](std::span<const Input> inputs, const Options& options, const Context& context) {
-    Outcome outcome = outcome_of(Sweeper(system_of(inputs), options, context).run(), options);
+    const Sweeper sweeper(system_of(inputs), options, context);
+    Outcome outcome = outcome_of(sweeper.run(), options);
+    outcome.chosen = {{"tolerance", sweeper.tolerance()}};
     outcome.failed = failures_text(outcome.as<SystemSweep>());
     return outcome;
   };

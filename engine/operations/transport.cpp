@@ -21,7 +21,7 @@ using namespace operations;
 namespace {
 
 struct How : TransportOptions {
-  std::optional<double> seconds{};
+  std::optional<double> tolerance_given{}, seconds{};
   bool all_regions = false, melnikov = false;
 };
 
@@ -177,6 +177,7 @@ Outcome run(std::span<const Input> inputs, const Options& options, const Context
   How how = transport_options().how(options);
   const ConnectionChoice choice = connection_options().how(options);
   const Connection connection = chosen_connection(choice, system);
+  how.tolerance = tolerance_in(system, how.tolerance_given);
   how.lattice = system.lattice;
   how.further = further_of(choice, system, how.all_regions);
   if (choice.bip) how.bip_near = choice.bip;
@@ -196,6 +197,7 @@ Outcome run(std::span<const Input> inputs, const Options& options, const Context
   if (function) found.melnikov = melnikov_comparison(std::move(*function), system, found.manifolds());
   Outcome outcome = outcome_of(std::move(found), options);
   outcome.chosen = settings_of(connection);
+  outcome.chosen.push_back({"tolerance", how.tolerance});
   return outcome;
 }
 

@@ -69,6 +69,10 @@ class PythonMap final : public PlanarMap {
     return object_.attr("action_accuracy").cast<double>();
   }
 
+  [[nodiscard]] double unit() const override {
+    const py::gil_scoped_acquire acquired;
+    return unit_within(object_.attr("extent").cast<double>());
+  }
   /// A call costs as much as hundreds of points.
   [[nodiscard]] std::size_t batch() const override { return 4096; }
 

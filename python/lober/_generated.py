@@ -628,7 +628,7 @@ def grow(
     branch: str | None = None,
     period: int = 1,
     turns: int = 0,
-    tolerance: float = 1e-05,
+    tolerance: float | None = None,
     iterates: int | None = None,
     length: float | None = None,
     max_length: float | None = None,
@@ -652,7 +652,8 @@ def grow(
     period: least period of the saddle, in iterates of the map
     turns: number of shifts of the plane, of those after which the system repeats, by which a point moves in a
         period: the turns of a lifted angle
-    tolerance: maximum distance between the manifold and its polygon, in units of the coordinates
+    tolerance: maximum distance between the manifold and its polygon, in units of the coordinates; default: 1e-5
+        times the power of ten in the extent of the system's window: 1e-5 for the built-in systems
     iterates: number of images of the local manifold after which growing ends; default: no limit, and there has
         to be a length
     length: arc length of the manifold, without parts outside the box, at which growing ends, in units of the
@@ -694,7 +695,7 @@ def images(
     circle: Sequence[float] | None = None,
     rectangle: Box | None = None,
     boundary: bool = False,
-    tolerance: float = 1e-05,
+    tolerance: float | None = None,
     max_length: float | None = None,
     box: Box | None = None,
     max_points: int = 100000000,
@@ -717,7 +718,8 @@ def images(
         boundary intersection point and S from there; on a cylinder the upper and the lower one
     first: number of iterates of the first image; negative ones are pre-images
     last: number of iterates of the last image; default: that of the first
-    tolerance: maximum distance between an image and its polygon, in units of the coordinates
+    tolerance: maximum distance between an image and its polygon, in units of the coordinates; default: 1e-5
+        times the power of ten in the extent of the system's window: 1e-5 for the built-in systems
     max_length: maximum length of a segment, in units of the coordinates; default: no maximum
     box: corners of the box in which the tolerance holds; outside it images are followed coarsely; default: the
         box of the curve and of the system's window, three times as wide and high
@@ -893,7 +895,7 @@ def manifold_tangle(
     u_direction: Pair | None = None,
     s_direction: Pair | None = None,
     bip: Pair | None = None,
-    tolerance: float = 1e-05,
+    tolerance: float | None = None,
     max_points: int = 20000000,
     before: int = 1,
     after: int = 0,
@@ -916,9 +918,10 @@ def manifold_tangle(
     u_direction: vector roughly along the unstable manifold, away from its saddle; default: the system's
     s_direction: vector roughly along the stable manifold, away from its saddle; default: the system's
     bip: point near the boundary intersection point, the pip at which the boundary passes from U to S; default:
-        the system's, or the middle pip
-    tolerance: maximum distance between a manifold and its polygon, in units of the coordinates; errors of areas
-        are far smaller
+        the system's, or the pip halfway, up to which U is as long as S
+    tolerance: maximum distance between a manifold and its polygon, which errors of areas are far smaller than,
+        in units of the coordinates; default: 1e-5 times the power of ten in the extent of the system's window: 1e-5
+        for the built-in systems
     max_points: maximum number of points of each manifold
     before: number of pre-images of the bip up to which manifolds are grown
     after: number of images of the bip up to which manifolds are grown
@@ -1251,7 +1254,7 @@ def sweep(
     system: Any,
     *,
     range: str,
-    tolerance: float = 1e-05,
+    tolerance: float | None = None,
     max_points: int = 20000000,
     find_zeros: bool = False,
     melnikov: bool = False,
@@ -1269,8 +1272,9 @@ def sweep(
     `system` is a system or its name. Raises UsageError, DataError, Cancelled.
 
     range: parameter and its values, NAME=FIRST:LAST:STEP
-    tolerance: maximum distance between a manifold and its polygon, in units of the coordinates; errors of areas
-        are far smaller
+    tolerance: maximum distance between a manifold and its polygon, which errors of areas are far smaller than,
+        in units of the coordinates; default: 1e-5 times the power of ten in the extent of the system's window: 1e-5
+        for the built-in systems
     max_points: maximum number of points of each manifold
     find_zeros: whether to refine the values of the parameter at which the difference in action of the two pips
         of the turnstile changes its sign
@@ -1283,7 +1287,7 @@ def sweep(
     u_direction: vector roughly along the unstable manifold, away from its saddle; default: the system's
     s_direction: vector roughly along the stable manifold, away from its saddle; default: the system's
     bip: point near the boundary intersection point, the pip at which the boundary passes from U to S; default:
-        the system's, or the middle pip
+        the system's, or the pip halfway, up to which U is as long as S
     """
     settings = {
         "range": range,
@@ -1358,7 +1362,7 @@ def transport(
     s_direction: Pair | None = None,
     bip: Pair | None = None,
     iterates: int = 7,
-    tolerance: float = 1e-05,
+    tolerance: float | None = None,
     max_points: int = 20000000,
     max_work: float = 100000000.0,
     budget: float | None = None,
@@ -1382,10 +1386,11 @@ def transport(
     u_direction: vector roughly along the unstable manifold, away from its saddle; default: the system's
     s_direction: vector roughly along the stable manifold, away from its saddle; default: the system's
     bip: point near the boundary intersection point, the pip at which the boundary passes from U to S; default:
-        the system's, or the middle pip
+        the system's, or the pip halfway, up to which U is as long as S
     iterates: number of iterates n up to which the table goes
-    tolerance: maximum distance between a manifold and its polygon, in units of the coordinates; errors of areas
-        are far smaller
+    tolerance: maximum distance between a manifold and its polygon, which errors of areas are far smaller than,
+        in units of the coordinates; default: 1e-5 times the power of ten in the extent of the system's window: 1e-5
+        for the built-in systems
     max_points: maximum number of points of each manifold
     max_work: work that growing the manifolds of one boundary may take, in evaluations of the vector field,
         where no time is given

@@ -35,6 +35,7 @@ class OwnMap:
     """The methods that the engine needs of a map (bindings/python_map.cpp)."""
 
     action_accuracy = 1e-15
+    extent = np.inf
 
     def step(self, x: Array, forward: bool) -> tuple[Array, int]:
         """Images of points, an array of 2 x N, and the evaluations of a field they took."""
@@ -73,7 +74,7 @@ class FormulaMap(OwnMap):
         self, name: str, forward: Function, inverse: Function | None, action: Function | None, extent: float
     ) -> None:
         self._name = name
-        self._extent = extent
+        self.extent = extent
         self._forward = Columns(forward, name)
         self._inverse = None if inverse is None else Columns(inverse, name)
         self._action = action
@@ -88,7 +89,7 @@ class FormulaMap(OwnMap):
     def slips(self, x: Array, shift: Array) -> list[tuple[str, Array, Array]]:
         images, derivatives = self.step_with_derivatives(x, True)
         size = 1 + np.abs(derivatives).sum(axis=(0, 1))
-        _, finer = differences(lambda points: self.step(points, True)[0], x, self._extent, 1.25e-4)
+        _, finer = differences(lambda points: self.step(points, True)[0], x, self.extent, 1.25e-4)
         gap = np.abs(derivatives - finer).max(axis=(0, 1))
         if np.median(gap / size) <= 1e-4:  # where the map jumps, a few are far off
             gap = np.zeros_like(gap)
@@ -107,7 +108,7 @@ class FormulaMap(OwnMap):
         return found
 
     def step_with_derivatives(self, x: Array, forward: bool) -> tuple[Array, Array]:
-        return differences(lambda points: self.step(points, forward)[0], x, self._extent)
+        return differences(lambda points: self.step(points, forward)[0], x, self.extent)
 
     def action(self, start: Pair, end: Pair) -> float | None:
         return None if self._action is None else number_of(self._action(start[0], end[0]), f"{self._name}: action")

@@ -35,6 +35,7 @@ class WatchedMap final : public PlanarMap {
     return map_.iterate_with_derivative(point, iterates, derivative);
   }
   [[nodiscard]] std::optional<long double> action(Point from, Point to) const override { return map_.action(from, to); }
+  [[nodiscard]] double unit() const override { return map_.unit(); }
 
   // Turns a report of growing, from the calling thread, into a booking: the finished part, the iterate before the
   // present one, which is the guide, and the present one.

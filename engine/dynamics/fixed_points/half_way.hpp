@@ -41,6 +41,7 @@ class HalfWayMap final : public PlanarMap {
       d = {1 + d.xx - back[k].xx, d.xy - back[k].xy, d.yx - back[k].yx, 1 + d.yy - back[k].yy};
     }
   }
+  [[nodiscard]] double unit() const override { return half_->unit(); }
   [[nodiscard]] std::size_t batch() const override { return half_->batch(); }
   [[nodiscard]] std::uint64_t work() const override { return half_->work(); }
   [[nodiscard]] std::uint64_t work_of_derivatives() const override { return half_->work_of_derivatives(); }

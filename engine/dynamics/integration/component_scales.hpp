@@ -1,7 +1,8 @@
 // The sizes by which the errors of a trajectory are judged, where coordinates may be in any unit. A trajectory that
-// begins with a coordinate of order one or more has the scale 1 for all components, as those of the built-in systems.
-// One that begins with small coordinates only, as those of molecules are in SI units, has for each component the
-// largest size that it has had so far: that is known from the trajectory alone, whatever is integrated beside it.
+// begins with a coordinate of the order of the field's unit or more has that scale for all of them, as those of the
+// built-in systems have 1. One that begins with smaller coordinates only, as those of molecules are in SI units where
+// no window says so, has for each component the largest size that it has had so far: that is known from the trajectory
+// alone, whatever is integrated beside it.
 //
 // A coordinate that is zero but for rounding, as on an invariant axis, has no size of its own; errors below the
 // rounding of its velocity are then asked for, and no step meets that. So where a step is refused again and again, the
@@ -25,19 +26,22 @@ inline constexpr double least_scale = 1e-280;
 /// Refusals of one step after which rounding is measured: seldom, since that may be a call that costs much.
 inline constexpr int refusals_before_noise = 5;
 
-/// Whether a state has a coordinate, among the first `guarded` components, of order one or more.
-inline bool has_large_coordinate(const double* x, int guarded) {
+/// Whether a state has a coordinate, among the first `guarded` components, of the order of the unit or more.
+inline bool has_large_coordinate(const double* x, int guarded, double unit) {
   constexpr double large = 1e-2;
-  return std::any_of(x, x + guarded, [](double value) { return std::abs(value) >= large; });
+  return std::any_of(x, x + guarded, [unit](double value) { return std::abs(value) >= large * unit; });
 }
 
-/// At the start of a trajectory, whose state is in the block too.
+/// At the start of a trajectory, whose state is in the block too. A component after the coordinates is one of a tangent
+/// vector, which has no unit, or the action, an area.
 template <typename Rhs>
-void begin_scales(StepBlock<Rhs::size>& block, std::size_t lane, const double* state, int guarded) {
+void begin_scales(const Rhs& rhs, StepBlock<Rhs::size>& block, std::size_t lane, const double* state, int guarded) {
   if constexpr (Rhs::own_units) {
-    const double least = has_large_coordinate(state, guarded) ? 1 : least_scale;
+    const double unit = rhs.field.unit();
+    block.widens[lane] = !has_large_coordinate(state, guarded, unit);
     for (int i = 0; i < Rhs::size; ++i) {
-      block.scale[i][lane] = least == 1 ? 1 : std::max(std::abs(state[i]), least);
+      const double known = i < guarded ? unit : Rhs::size == guarded + 1 ? unit * unit : 1;
+      block.scale[i][lane] = block.widens[lane] ? std::max(std::abs(state[i]), least_scale) : known;
       block.noise[i][lane] = 0;
     }
   }
@@ -47,9 +51,9 @@ void begin_scales(StepBlock<Rhs::size>& block, std::size_t lane, const double* s
 template <typename Rhs>
 void widen_scales(StepBlock<Rhs::size>& block, std::size_t lane) {
   if constexpr (Rhs::own_units) {
+    if (!block.widens[lane]) return;  // |x| counts beside it
     for (int i = 0; i < Rhs::size; ++i) {
-      // The scale 1 stays: |x| counts beside it.
-      if (block.scale[i][lane] != 1) block.scale[i][lane] = std::max(block.scale[i][lane], std::abs(block.x[i][lane]));
+      block.scale[i][lane] = std::max(block.scale[i][lane], std::abs(block.x[i][lane]));
     }
   }
 }

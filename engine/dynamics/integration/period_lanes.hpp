@@ -98,7 +98,7 @@ class PeriodLanes {
     here.position = 0;
     here.level = first_level;
     here.tries = here.refusals = 0;
-    begin_scales<Rhs>(block, lane, state, guarded_);
+    begin_scales(rhs_, block, lane, state, guarded_);
     set_step(block, lane);
   }
 

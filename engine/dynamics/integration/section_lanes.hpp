@@ -106,12 +106,12 @@ class SectionLanes {
     for (int i = 0; i < size; ++i) block.x[i][lane] = state[i];
     here.t = 0;
     here.tries = here.refusals = 0;
-    begin_scales<Rhs>(block, lane, state, guarded_);
+    begin_scales(rhs_, block, lane, state, guarded_);
     here.locating = false;
     here.level = nearest_level(state[axis_]);
     here.side = off(here, state[axis_]);
     if (here.side == 0) here.side = forward_ * slope[axis_];
-    here.h = forward_ * first_step<Rhs>(state, slope, guarded_, options_.tolerance, 1e-3 * options_.max_time);
+    here.h = forward_ * first_step(rhs_, state, slope, guarded_, options_.tolerance, 1e-3 * options_.max_time);
     if (here.side == 0 || std::isnan(here.side)) {  // along the section
       queue_.lost(here.item);
       return false;

@@ -35,8 +35,8 @@ class SpanLanes {
     for (int i = 0; i < Rhs::size; ++i) block.x[i][lane] = state[i];
     here.t = from_;
     here.tries = here.refusals = 0;
-    begin_scales<Rhs>(block, lane, state, guarded_);
-    here.h = std::copysign(first_step<Rhs>(state, slope, guarded_, options_.tolerance, 0.125 * std::abs(to_ - from_)),
+    begin_scales(rhs_, block, lane, state, guarded_);
+    here.h = std::copysign(first_step(rhs_, state, slope, guarded_, options_.tolerance, 0.125 * std::abs(to_ - from_)),
                            to_ - from_);
     set_step(block, lane);
     return true;

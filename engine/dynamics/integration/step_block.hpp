@@ -23,8 +23,9 @@ struct alignas(64) StepBlock {
   const double* forcing[block_lanes];  ///< the numbers of Field::forcing at stage_offset(0), stage_offset(1), ...
   double tolerance = 0;
   // For right-hand sides of one's own units only (own_units):
-  Row scale[size];  ///< the largest size of each component on its trajectory so far
-  Row noise[size];  ///< rounding of its velocity, as far as it is known (component_scales.hpp)
+  Row scale[size];                ///< the largest size of each component on its trajectory so far
+  bool widens[block_lanes] = {};  ///< whether that grows with it
+  Row noise[size];                ///< rounding of its velocity, as far as it is known (component_scales.hpp)
 
   // Computed.
   Row end[size];    ///< the state where it ends
@@ -37,6 +38,7 @@ struct alignas(64) StepBlock {
   /// All but `forcing`, of which the caller knows where it lies.
   void copy_lane(std::size_t from, std::size_t to) {
     h[to] = h[from];
+    widens[to] = widens[from];
     error[to] = error[from];
     for (int i = 0; i < size; ++i) {
       x[i][to] = x[i][from];

@@ -51,16 +51,21 @@ inline double step_factor(double error) {
 /// (Hairer, Norsett & Wanner, II.4, in short): from the point alone, so that a point does not depend on its batch.
 /// `longest`: where coordinates may be in any unit (own_units).
 template <typename Rhs>
-double first_step(const double* x, const double* slope, int guarded, double tolerance, double longest) {
-  if (Rhs::own_units && !has_large_coordinate(x, guarded)) {
-    return first_step_by_sizes(x, slope, guarded, elementary::power(tolerance, 1.0 / error_power), longest);
+double first_step(const Rhs& rhs, const double* x, const double* slope, int guarded, double tolerance, double longest) {
+  double unit = 1;
+  if constexpr (Rhs::own_units) {
+    unit = rhs.field.unit();
+    if (!has_large_coordinate(x, guarded, unit)) {
+      return first_step_by_sizes(x, slope, guarded, elementary::power(tolerance, 1.0 / error_power), longest);
+    }
   }
   double size = 0, speed = 0;
   for (int k = 0; k < guarded; ++k) {
     size = std::max(size, std::abs(x[k]));
     speed = std::max(speed, std::abs(slope[k]));
   }
-  return elementary::power(tolerance, 1.0 / error_power) * std::clamp((1 + size) / std::max(speed, 1e-3), 1e-6, 10.0);
+  return elementary::power(tolerance, 1.0 / error_power) *
+         std::clamp((unit + size) / std::max(speed, 1e-3 * unit), 1e-6, 10.0);
 }
 
 /// Whether the state at the end of a step is one to go on from. Only the first `guarded` components are compared with

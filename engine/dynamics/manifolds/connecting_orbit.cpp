@@ -50,6 +50,7 @@ std::vector<Point> towards_saddle(const PlanarMap& map, const LocalManifold& loc
 // both halves of the orbit meet.
 std::optional<long double> half_action(const PlanarMap& map, const LocalManifold& local, std::span<const Point> points,
                                        double& error) {
+  const double unit = map.unit();
   const bool forward = local.steps > 0;  // from the saddle outwards; the points run inwards
   const auto period = static_cast<std::size_t>(std::abs(local.steps));
   const auto step = [&](Point nearer, Point farther) {
@@ -75,7 +76,9 @@ std::optional<long double> half_action(const PlanarMap& map, const LocalManifold
     if (!action) return std::nullopt;
     const long double more = *action - own[(last - k - 1) % period];
     sum += more;
-    error += map.action_accuracy() * static_cast<double>(1 + std::fabs(*action));
+    // An error of x by its share of unit + |x| makes one of y dx, which may be more than what is left of it in L.
+    const double of_points = std::fabs(points[k].y) * (unit + std::fabs(points[k].x));
+    error += map.action_accuracy() * std::max(unit * unit + static_cast<double>(std::fabs(*action)), of_points);
   }
   return sum;
 }
@@ -172,7 +175,7 @@ ConnectingOrbit connecting_orbit(const PlanarMap& map, const LocalManifold& unst
   ConnectingOrbit best = closest(map, unstable, stable, u, s);
   int on = 0;  // images from the point that is asked for to the one that is met
   constexpr double sharp = 1e-14;
-  if (!is_met(best, unstable) || action_of_residual(best, unstable, stable) > sharp) {
+  if (!is_met(best, unstable) || action_of_residual(best, unstable, stable) > sharp * map.unit() * map.unit()) {
     on = images_half_way(unstable, stable, u, s);
     std::optional<ConnectingOrbit> half_way;
     if (on > 0) half_way = closest(map, unstable, stable, {u.images + on, u.parameter}, {s.images - on, s.parameter});

@@ -229,20 +229,20 @@ void require_sensible(const LocalManifoldOptions& options) {
   if (!(options.max_length > 0)) throw UsageError("local manifold: the maximum length has to be positive");
 }
 
-double scale_of(const Saddle& saddle) {
-  return std::max({1.0, std::fabs(saddle.at.x), std::fabs(saddle.at.y)});
+double scale_of(const Saddle& saddle, double unit) {
+  return std::max({unit, std::fabs(saddle.at.x), std::fabs(saddle.at.y)});
 }
 
-bool is_acceptable(const Candidate& found, const Saddle& saddle, const LocalManifoldOptions& options,
+bool is_acceptable(const Candidate& found, const Saddle& saddle, const LocalManifoldOptions& options, double unit,
                    double times = 1) {
-  const double allowed = options.tolerance * scale_of(saddle);
+  const double allowed = options.tolerance * scale_of(saddle, unit);
   return found.defect_across <= times * std::max(allowed, found.noise_across) &&
          found.defect <= times * std::max(allowed * std::fabs(saddle.multiplier), found.noise);
 }
 
 // The largest reach at which the defect is acceptable.
-Candidate farthest(const Solver& solver, const Saddle& saddle, const LocalManifoldOptions& options) {
-  const double scale = scale_of(saddle);
+Candidate farthest(const Solver& solver, const Saddle& saddle, const LocalManifoldOptions& options, double unit) {
+  const double scale = scale_of(saddle, unit);
   // Small enough to be right, so that what defect there is belongs to the map.
   std::optional<Candidate> best;
   double reach = std::min(1e-2 * scale, options.max_length);
@@ -264,7 +264,7 @@ Candidate farthest(const Solver& solver, const Saddle& saddle, const LocalManifo
       candidate->noise = best->noise;
       candidate->noise_across = best->noise_across;
     }
-    if (candidate && is_acceptable(*candidate, saddle, options)) {
+    if (candidate && is_acceptable(*candidate, saddle, options, unit)) {
       best = std::move(candidate);
     } else {
       factor = std::sqrt(factor);
@@ -275,15 +275,15 @@ Candidate farthest(const Solver& solver, const Saddle& saddle, const LocalManifo
 
 // The manifold from that of a map nearby, with its reach, at which the defect is about the allowed one: so it may be
 // twice that.
-std::optional<Candidate> from_neighbour(const Solver& solver, const Saddle& saddle,
-                                        const LocalManifoldOptions& options) {
+std::optional<Candidate> from_neighbour(const Solver& solver, const Saddle& saddle, const LocalManifoldOptions& options,
+                                        double unit) {
   const LocalManifold& other = *options.neighbour;
   if (!(other.multiplier * saddle.multiplier > 0) || other.reach > options.max_length) return std::nullopt;
   std::optional<Candidate> found = solver.solved(solver.shifted(other));
   if (!found) return std::nullopt;
   found->noise = other.noise;
   found->noise_across = other.noise_across;
-  return is_acceptable(*found, saddle, options, 2) ? found : std::nullopt;
+  return is_acceptable(*found, saddle, options, unit, 2) ? found : std::nullopt;
 }
 
 }  // namespace
@@ -314,17 +314,18 @@ LocalManifold::Image LocalManifold::image() const {
   return {steps, multiplier};
 }
 
-LocalManifold local_manifold(const PlanarMap& map, Point guess, ManifoldSide side,
-                             const LocalManifoldOptions& options) {
-  require_sensible(options);
+LocalManifold local_manifold(const PlanarMap& map, Point guess, ManifoldSide side, const LocalManifoldOptions& given) {
+  require_sensible(given);
+  LocalManifoldOptions options = given;
+  options.max_length *= map.unit();
   if (!is_finite(guess)) throw UsageError("local manifold: the fixed point has to be finite");
   const int steps = side == ManifoldSide::stable ? -options.period : options.period;
   const Saddle saddle = saddle_near(map, steps, guess);
   require_derivative_fits(map, steps, saddle.at);
   const Solver solver(map, steps, saddle, options.degree);
   std::optional<Candidate> continued;
-  if (options.neighbour) continued = from_neighbour(solver, saddle, options);
-  Candidate best = continued ? *std::move(continued) : farthest(solver, saddle, options);
+  if (options.neighbour) continued = from_neighbour(solver, saddle, options, map.unit());
+  Candidate best = continued ? *std::move(continued) : farthest(solver, saddle, options, map.unit());
   LocalManifold result;
   result.saddle = saddle.at;
   result.tangent = saddle.tangent;

@@ -21,9 +21,10 @@ namespace {
 constexpr double nearby = 0.5, everywhere = std::numeric_limits<double>::infinity();
 
 std::optional<Point> refined_fixed_point(const PlanarMap& map, int steps, Point guess) {
-  const NewtonEnd end = newton(map, guess, {.period = steps}, nearby * size_at(guess, everywhere));
-  return end.converged && distance(end.at, guess) <= nearby * size_at(guess, everywhere) ? std::optional(end.at)
-                                                                                         : std::nullopt;
+  // Maps of small coordinates live in a few of their units.
+  const double extent = map.unit() < 1 ? 10 * map.unit() : everywhere, reach = nearby * size_at(guess, extent);
+  const NewtonEnd end = newton(map, guess, {.period = steps, .extent = extent}, reach);
+  return end.converged && distance(end.at, guess) <= reach ? std::optional(end.at) : std::nullopt;
 }
 
 // The way on.
@@ -48,7 +49,7 @@ Point refined_saddle(const PlanarMap& map, int steps, Point guess) {
                     unresolved(stretching_at(map, steps, guess)) + "; " + others_by_search());
   }
   if (!own) return *forward;
-  const bool same = forward && distance(*forward, *own) <= 1e-8 * (1 + length(*own));
+  const bool same = forward && distance(*forward, *own) <= 1e-8 * (map.unit() + length(*own));
   return same ? *forward : *own;
 }
 
@@ -99,7 +100,7 @@ void require_derivative_fits(const PlanarMap& map, int steps, Point at) {
     Point difference;
     // Where the system is far smaller than 1, the first steps are too long for it.
     for (const double length : {1e-5, 1e-8, 1e-11}) {
-      const double h = length * (1 + std::hypot(at.x, at.y)) / size;
+      const double h = length * (map.unit() + std::hypot(at.x, at.y)) / size;
       const double dx = along_x ? h : 0, dy = along_x ? 0 : h;
       Point ends[2] = {{at.x + dx, at.y + dy}, {at.x - dx, at.y - dy}};
       map.iterate(ends, steps);

@@ -58,6 +58,11 @@ class FormulaMap final : public PlanarMap {
     return is_finite(point) ? point : lost_point;
   }
 
+  [[nodiscard]] double unit() const override {
+    if constexpr (requires { formula_.unit(); }) return formula_.unit();
+    return 1;
+  }
+
   [[nodiscard]] std::optional<long double> action(Point from, Point to) const override {
     if constexpr (HasAction<Formula>) return formula_.action(from, to);
     return std::nullopt;

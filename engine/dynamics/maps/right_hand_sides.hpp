@@ -32,6 +32,13 @@ concept is_many = requires(const Field& field) {
   field.many().velocities(0, nullptr, nullptr, nullptr);
 };
 
+/// PlanarMap::unit of the maps of a field: Field::unit(), if there is one.
+template <typename Field>
+double unit_of(const Field& field) {
+  if constexpr (requires { field.unit(); }) return field.unit();
+  return 1;
+}
+
 /// Whether errors are judged by the size of each coordinate (integration/component_scales.hpp).
 template <typename Field>
 constexpr bool has_own_units() {

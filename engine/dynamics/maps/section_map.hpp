@@ -213,6 +213,7 @@ class SectionMap final : public PlanarMap {
     return state[n] / static_cast<long double>(factor) +
            static_cast<long double>(to.y) * (static_cast<long double>(to.x) - chart_.project(state).x);
   }
+  [[nodiscard]] double unit() const override { return unit_of(field_); }
   [[nodiscard]] double action_accuracy() const override { return 10 * options_.finer().tolerance; }
   [[nodiscard]] std::size_t batch() const override { return wide_batch(AlongFlow<Field>{field_}); }
   [[nodiscard]] std::unique_ptr<PlanarMap> finer() const override {

@@ -61,6 +61,7 @@ class StroboscopicMap final : public PlanarMap {
     return along + static_cast<long double>(to.y) * (static_cast<long double>(to.x) - state[0]);
   }
   [[nodiscard]] double action_accuracy() const override { return 10 * options_.finer().tolerance; }
+  [[nodiscard]] double unit() const override { return unit_of(field()); }
   [[nodiscard]] std::unique_ptr<PlanarMap> finer() const override {
     return std::make_unique<StroboscopicMap>(forcing_, options_.finer());
   }
@@ -187,6 +188,7 @@ class HalfPeriodMap final : public PlanarMap {
     whole_.iterate_with_derivatives(points, iterates / 2, derivatives);
     if (iterates % 2 != 0) whole_.half_a_period(points, iterates < 0 ? -1 : 1, derivatives);
   }
+  [[nodiscard]] double unit() const override { return whole_.unit(); }
   [[nodiscard]] std::size_t batch() const override { return whole_.batch(); }
   [[nodiscard]] std::uint64_t work() const override { return whole_.work(); }
   [[nodiscard]] std::uint64_t work_of_derivatives() const override { return whole_.work_of_derivatives(); }

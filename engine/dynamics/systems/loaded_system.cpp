@@ -28,6 +28,11 @@ struct Loaded {
   Library library;
   const lober_system* system;
   std::vector<double> parameters;
+
+  /// The larger side of its window.
+  [[nodiscard]] double extent() const {
+    return std::max(system->window[2] - system->window[0], system->window[3] - system->window[1]);
+  }
 };
 
 /// A map of a library, for FormulaMap.
@@ -43,6 +48,7 @@ class LoadedMap {
     if (loaded_->system->map->derivative(loaded_->parameters.data(), from.data(), d.data()) != 0) d.fill(nan);
     return {d[0], d[1], d[2], d[3]};
   }
+  [[nodiscard]] double unit() const { return unit_within(loaded_->extent()); }
 
  protected:
   [[nodiscard]] const Loaded& loaded() const { return *loaded_; }
@@ -81,6 +87,7 @@ class LoadedField final : public VectorField {
   }
 
   [[nodiscard]] int dimension() const override { return given().dimension; }
+  [[nodiscard]] double extent() const override { return loaded_.extent(); }
   [[nodiscard]] double period() const override { return period_; }
   [[nodiscard]] std::span<const ConjugatePair> conjugate_pairs() const override { return pairs_; }
   void velocities(std::size_t count, const double* x, const double* t, double* dxdt) const override {

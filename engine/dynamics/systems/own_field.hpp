@@ -24,7 +24,8 @@ class OwnField {
   static constexpr bool in_lanes = false;
   static constexpr bool own_units = true;
 
-  explicit OwnField(std::shared_ptr<const VectorField> field) : field_(std::move(field)) {}
+  explicit OwnField(std::shared_ptr<const VectorField> field)
+      : field_(std::move(field)), unit_(unit_within(field_->extent())) {}
 
   [[nodiscard]] double period() const { return periodic ? field_->period() : 0; }
   void forcing(double t, double* force) const {
@@ -86,6 +87,7 @@ class OwnField {
   }
   /// Whether derivatives are those of differences: a step of small errors would take their noise for errors.
   [[nodiscard]] bool has_rough_derivatives() const { return !field_->has_jacobian(); }
+  [[nodiscard]] double unit() const { return unit_; }
   /// Tenths of work (PlanarMap::work) for an evaluation.
   [[nodiscard]] std::uint64_t tenths() const { return field_->batch() < block_lanes ? 10 : 1; }
 
@@ -96,6 +98,7 @@ class OwnField {
   }
 
   std::shared_ptr<const VectorField> field_;
+  double unit_;
 };
 
 }  // namespace lober::detail

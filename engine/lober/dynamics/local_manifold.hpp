@@ -37,10 +37,11 @@ struct LocalManifold;
 
 /// Options of local_manifold.
 struct LocalManifoldOptions {
-  int period = 1;            ///< the saddle is fixed by F^period, which takes the place of F below
-  int degree = 40;           ///< degree of the polynomial
-  double tolerance = 1e-14;  ///< bound on the defect, relative to the saddle's largest coordinate or 1 if that is less
-  double max_length = 100;   ///< r is not taken larger than this
+  int period = 1;   ///< the saddle is fixed by F^period, which takes the place of F below
+  int degree = 40;  ///< degree of the polynomial
+  double tolerance =
+      1e-14;  ///< bound on the defect, relative to the saddle's largest coordinate or map.unit() if it is less
+  double max_length = 100;  ///< r is not taken larger than this, in units of map.unit()
   /// The manifold of a map near this one: the solution starts from it, with its r and noise, at about an eighth of the
   /// cost. Where the defect is then more than twice the allowed one, the result is as without a neighbour.
   const LocalManifold* neighbour = nullptr;

@@ -54,8 +54,12 @@ class LOBER_API PlanarMap {
   /// over an orbit is stationary: if its points are off by d, it is off by O(d^2). Rounding: that of long double for
   /// generating functions, the tolerance for flows.
   [[nodiscard]] virtual std::optional<long double> action(Point /*from*/, Point /*to*/) const { return std::nullopt; }
-  /// An estimate of the error of an action L, as a fraction of 1 + |L|.
+  /// An estimate of the error of an action L, as a fraction of unit()^2 + |L|.
   [[nodiscard]] virtual double action_accuracy() const { return 1e-18; }
+
+  /// The size of the coordinates of interest, as a power of ten: steps, errors and distances that are to be small are
+  /// so beside it. 1, as for the built-in systems, unless it is overridden (unit_within).
+  [[nodiscard]] virtual double unit() const { return 1; }
 
   /// The least number of points that is worth a call of `iterate`: callers that have that many hand out no fewer at a
   /// time. 0: a few dozen are enough, as they are unless each call costs much.
@@ -88,5 +92,9 @@ class LOBER_API PlanarMap {
  private:
   mutable std::atomic<std::uint64_t> tenths_of_work_{0}, tenths_of_derivatives_{0};
 };
+
+/// PlanarMap::unit for a region of interest of this extent: the largest power of ten that is no larger; 1 where that is
+/// not known, not positive or not finite.
+[[nodiscard]] LOBER_API double unit_within(double extent);
 
 }  // namespace lober

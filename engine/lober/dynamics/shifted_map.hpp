@@ -30,6 +30,7 @@ class LOBER_API ShiftedMap final : public PlanarMap {
   Point iterate_with_derivative(Point point, int iterates, Matrix2& derivative) const override;
   /// Throws UsageError unless `iterates` is a multiple of the period.
   void iterate_with_derivatives(std::span<Point> points, int iterates, std::span<Matrix2> derivatives) const override;
+  [[nodiscard]] double unit() const override { return map_->unit(); }
   [[nodiscard]] std::size_t batch() const override { return map_->batch(); }
   [[nodiscard]] std::unique_ptr<PlanarMap> finer() const override;
   [[nodiscard]] std::uint64_t work() const override { return map_->work(); }

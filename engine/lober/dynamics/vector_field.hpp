@@ -55,7 +55,8 @@ class LOBER_API VectorField {
   /// The number of points that are worth a call of `velocities`: 1 for a function of one point, 8 for a loop that the
   /// compiler turns into vector instructions, thousands where a call costs much, as that of an interpreter does.
   [[nodiscard]] virtual std::size_t batch() const { return 1; }
-  /// The size of the region of interest, which knows the unit of length.
+  /// The size of the region of interest, which knows the unit of the coordinates: PlanarMap::unit follows from it, and
+  /// errors of integration are judged by that.
   [[nodiscard]] virtual double extent() const { return std::numeric_limits<double>::infinity(); }
 };
 

@@ -114,6 +114,7 @@ struct CurveImages {
   bool closed = true;           ///< whether the curve is closed
   std::vector<Point> bips{};    ///< where the curve is a boundary: its bip; of a strip, those of both
   std::vector<One> images{};    ///< in the order of iterates; of two curves, those of the first one come first
+  double tolerance = 0;         ///< the tolerance of images
   Rectangle box{};              ///< the box in which the tolerance holds
   bool preserves_area = false;  ///< the map has an action
   Agreement agreement{};        ///< areas of images against that of the first

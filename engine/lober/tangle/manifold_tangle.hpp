@@ -23,12 +23,13 @@ struct ManifoldTangleOptions {
   /// h^2). Where the manifolds lie closer to each other than thirty times this it is made smaller: else polygons would
   /// cross where manifolds do not.
   double tolerance = 1e-5;
-  int before = 1;                   ///< images of the bip q that are wanted: from f^-before(q)
-  int after = 0;                    ///< images of the bip after it: to f^after(q)
-  Point lattice{};                  ///< as in System: manifolds are followed exactly however far along it they lead
-  std::optional<Point> bip_near{};  ///< default: as in the system's Connection, else the middle of the first pips found
-  bool smooth = true;               ///< whether areas are those of smooth curves
-  int max_iterates = 60;            ///< iterates of either manifold at most
+  int before = 1;   ///< images of the bip q that are wanted: from f^-before(q)
+  int after = 0;    ///< images of the bip after it: to f^after(q)
+  Point lattice{};  ///< as in System: manifolds are followed exactly however far along it they lead
+  std::optional<Point>
+      bip_near{};         ///< default: as in the system's Connection, else the pip up to which U is as long as S
+  bool smooth = true;     ///< whether areas are those of smooth curves
+  int max_iterates = 60;  ///< iterates of either manifold at most
   std::size_t max_points = 20'000'000;  ///< points of each manifold at most
   /// Work that both manifolds may take in all, in evaluations of the vector field (PlanarMap::work; steps of the map
   /// where there is none); some ten million a second on one core of a machine of today, more for built-in systems. Not

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "engine/base/text.hpp"
 #include "engine/dynamics/maps/plane.hpp"
@@ -30,9 +31,7 @@ void TangleGrowth::look() {
   constexpr int max_rounds = 12;
   find_pips();
   for (int round = 0; round < max_rounds && refine_flat_pips(); ++round) find_pips();
-  if (found_.pips.empty()) return;
-  if (!near_) near_ = found_.pips[found_.pips.size() / 2].at;
-  bip_ = known_bip_ ? nearest(*known_bip_) : nearest(*near_);
+  if (!found_.pips.empty()) bip_ = known_bip_ ? nearest(*known_bip_) : near_ ? nearest(*near_) : halfway();
 }
 
 // Grows until U and S cross, as polygons. False where they do not.
@@ -41,7 +40,7 @@ bool TangleGrowth::find_crossing() {
   for (find_pips(); found_.pips.empty(); find_pips()) {
     if (!towards_a_crossing()) return false;
   }
-  bip_ = known_bip_ ? nearest(*known_bip_) : nearest(bip_near_.value_or(found_.pips[found_.pips.size() / 2].at));
+  bip_ = known_bip_ ? nearest(*known_bip_) : bip_near_ ? nearest(*bip_near_) : halfway();
   return true;
 }
 
@@ -84,6 +83,10 @@ bool TangleGrowth::find_turnstile(std::string& trouble) {
       const bool more_s = s_.growth->time() >= bip.s + 1 + beyond || grow(s_, bip.s + 1 + beyond);
       if (more_u || more_s) continue;
     }
+    // Farther along U the pip halfway may come yet, with the next image of the last one; before that one it is found
+    // with the pre-image.
+    const bool last = !known_bip_ && !near_ && bip_ + 1 == found_.pips.size();
+    if (last && u_.growth->time() < bip.u + 1 + beyond && grow(u_, bip.u + 1 + beyond)) continue;
     if (s_.growth->time() >= bip.s + 1 + beyond) break;
     if (!grow(s_, bip.s + 1 + beyond)) return false;
   }
@@ -113,7 +116,7 @@ void TangleGrowth::require_bip_as_asked() const {
   for (std::size_t k = first; k < last; ++k) pips += (k == first ? "" : ", ") + format_point(found_.pips[k].at);
   throw DataError("no pip was found near the bip asked for, " + format_point(asked) + "; the nearest one is " +
                   format_point(found) + ", and pips about it are " + pips +
-                  "; give a bip near a pip, or none for the middle one");
+                  "; give a bip near a pip, or none for the one halfway from saddle to saddle");
 }
 
 // Goes on with one manifold as long as they do not cross: not one that has left the other behind, unless both have.
@@ -139,6 +142,39 @@ bool TangleGrowth::newest_meets(const Side& one, const Side& other) {
     if (meet(Box::of(grown.points[k], grown.points[k + 1]), box)) return true;
   }
   return false;
+}
+
+// The pip up to which U is as long as S. Along U the one grows and the other one shrinks: one orbit passes nearest to
+// there, wherever the plane has its origin, in whatever unit it is, and however far the local manifolds reach.
+std::size_t TangleGrowth::halfway() const {
+  const auto lengths = [this](const Side& side, Position Pip::*on) {
+    const Buffer<Point>& points = side.growth->grown().points;
+    std::vector<double> result(found_.pips.size());
+    std::vector<std::size_t> order(result.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return (found_.pips[a].*on).segment < (found_.pips[b].*on).segment;
+    });
+    double sum = 0;
+    std::size_t at = 0;
+    for (const std::size_t pip : order) {
+      for (; at < (found_.pips[pip].*on).segment; ++at) sum += distance(points[at], points[at + 1]);
+      result[pip] = sum + distance(points[at], found_.pips[pip].at);
+    }
+    return result;
+  };
+  const std::vector<double> along_u = lengths(u_, &Pip::u), along_s = lengths(s_, &Pip::s);
+  // Two that are as near as rounding can tell, as mirror images are: the first along U.
+  constexpr double nearer = 1e-6;
+  double nearest = std::numeric_limits<double>::infinity();
+  std::size_t best = 0;
+  for (std::size_t pip = 0; pip < found_.pips.size(); ++pip) {
+    const double off = std::fabs(std::log(along_u[pip] / along_s[pip]));
+    if (!(off < nearest - nearer)) continue;
+    nearest = off;
+    best = pip;
+  }
+  return best;
 }
 
 std::size_t TangleGrowth::nearest(Point point) const {

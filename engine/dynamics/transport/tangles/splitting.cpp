@@ -40,7 +40,7 @@ std::optional<Opposite> opposite(const PlanarMap& map, const LocalManifold& unst
     const double along = apart.x * tangent.x + apart.y * tangent.y;
     const double rate = on_s.velocity.x * tangent.x + on_s.velocity.y * tangent.y;
     if (!std::isfinite(along) || !(std::fabs(rate) > least_cosine * length(on_s.velocity))) return std::nullopt;
-    if (std::fabs(along) <= close_along * (1 + length(on_u.at))) break;
+    if (std::fabs(along) <= close_along * (map.unit() + length(on_u.at))) break;
     // Newton's method has converged where it gains no more.
     if (round > 2 && !(std::fabs(along) < 0.5 * last)) break;
     last = std::fabs(along);

@@ -37,7 +37,7 @@ std::pair<LocalManifold, LocalManifold> local_manifolds(const PlanarMap& map, co
   LocalManifold u = local_manifold(map, connection.from, ManifoldSide::unstable, {.neighbour = neighbour_u});
   LocalManifold s = local_manifold(map, connection.to, ManifoldSide::stable, {.neighbour = neighbour_s});
   // Both manifolds of a homoclinic tangle begin in one point, to the bit: else they might cross there.
-  if (distance(u.saddle, s.saddle) <= 1e-8 * (1 + length(u.saddle))) s.saddle = u.saddle;
+  if (distance(u.saddle, s.saddle) <= 1e-8 * (map.unit() + length(u.saddle))) s.saddle = u.saddle;
   return {std::move(u), std::move(s)};
 }
 

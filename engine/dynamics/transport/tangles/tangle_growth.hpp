@@ -102,6 +102,7 @@ class TangleGrowth {
   [[nodiscard]] std::string tolerance_text() const;
   bool towards_a_crossing();
   [[nodiscard]] static bool newest_meets(const Side& one, const Side& other);
+  [[nodiscard]] std::size_t halfway() const;
   [[nodiscard]] std::size_t nearest(Point point) const;
   [[nodiscard]] std::size_t nearest(Time time) const;
   [[nodiscard]] std::pair<ManifoldPosition, ManifoldPosition> positions_of(std::size_t pip) const;

@@ -155,7 +155,7 @@ class TransportBuilder {
     path.push_back(manifolds.local_u.saddle);
     double length = 0;
     for (std::size_t k = 1; k < path.size(); ++k) length += distance(path[k - 1], path[k]);
-    if (length <= kept * (1 + lober::length(path[0]))) return;  // homoclinic
+    if (length <= kept * (map_.unit() + lober::length(path[0]))) return;  // homoclinic
     const auto away = [&](Point z) {
       double nearest = length;
       for (std::size_t k = 1; k < path.size(); ++k) {
