@@ -1,17 +1,11 @@
 #include "engine/batch/manifest/job_key.hpp"
 
 #include "engine/batch/operations/provenance.hpp"
+#include "engine/files/sha256.hpp"
 #include "lober/curve/curve.hpp"
 #include "lober/curve/files.hpp"
 
 namespace lober::detail {
-namespace {
-
-std::byte nibble(char digit) {
-  return static_cast<std::byte>(digit <= '9' ? digit - '0' : digit - 'a' + 10);
-}
-
-}  // namespace
 
 std::vector<const std::string*> digests_by_curve(const Plan& plan, const InputDigests& inputs) {
   std::vector<const std::string*> digests;
@@ -42,12 +36,7 @@ JobKey JobKeys::operator()(const Job& job, std::string_view digest1, std::string
   };
   add(job.first, digest1);
   add(job.second, digest2);
-  const std::string hexadecimal = sha256(std::as_bytes(std::span(text)));
-  JobKey key;
-  for (std::size_t k = 0; k < key.size(); ++k) {
-    key[k] = nibble(hexadecimal[2 * k]) << 4 | nibble(hexadecimal[2 * k + 1]);
-  }
-  return key;
+  return sha256_bytes(std::as_bytes(std::span(text)));
 }
 
 std::optional<JobKey> JobKeys::find(const Job& job, std::span<const std::string* const> digests) const {
