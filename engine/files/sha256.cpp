@@ -1,5 +1,3 @@
-#include "engine/files/sha256.hpp"
-
 #include <fcntl.h>
 #include <nettle/base16.h>
 #include <nettle/sha2.h>
@@ -26,15 +24,11 @@ class Sha256 {
   void add(std::span<const std::byte> bytes) {
     sha256_update(&context_, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
   }
-  [[nodiscard]] std::array<std::byte, SHA256_DIGEST_SIZE> bytes() {
-    std::array<std::byte, SHA256_DIGEST_SIZE> digest;
-    sha256_digest(&context_, digest.size(), reinterpret_cast<std::uint8_t*>(digest.data()));
-    return digest;
-  }
   [[nodiscard]] std::string hexadecimal() {
-    const auto digest = bytes();
+    std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest;
+    sha256_digest(&context_, digest.size(), digest.data());
     std::string text(BASE16_ENCODE_LENGTH(digest.size()), '0');
-    base16_encode_update(text.data(), digest.size(), reinterpret_cast<const std::uint8_t*>(digest.data()));
+    base16_encode_update(text.data(), digest.size(), digest.data());
     return text;
   }
 
@@ -89,12 +83,6 @@ class HashedFile {
 };
 
 }  // namespace
-
-std::array<std::byte, 32> detail::sha256_bytes(std::span<const std::byte> bytes) {
-  Sha256 hash;
-  hash.add(bytes);
-  return hash.bytes();
-}
 
 std::string sha256(std::span<const std::byte> bytes) {
   Sha256 hash;
