@@ -81,11 +81,11 @@ void StoreSession::skip_finished(std::vector<std::string> inputs) {
   pending_ = std::move(left);
 }
 
-void StoreSession::note(CurveId curve, const std::string& digest, bool& usable) {
+void StoreSession::note(CurveId curve, std::string_view digest, bool& usable) {
   if (seen_[curve] == 0) {
     seen_[curve] = 1;
     digests_[curve] = digest;
-    writer_->add(plan_.curves[curve].input_name(), digest);
+    writer_->add(plan_.curves[curve].input_name(), digests_[curve]);
   } else if (digests_[curve] != digest) {
     usable = false;
   }
@@ -96,7 +96,7 @@ bool StoreSession::add(Result&& result) {
   bool usable = true;
   const CurvePair curves = job.curves();
   for (std::size_t k = 0; k < curves.size(); ++k) note(curves[k], result.digests[k], usable);
-  result.digests = {};  // freed here, by many threads, and not by the one that writes
+  result.digests = {};  // views that may end before the results are written
   if (usable) writer_->add(std::move(result));
   return usable;
 }

@@ -46,7 +46,7 @@ class StoreSession {
 
  private:
   void skip_finished(std::vector<std::string> digests);
-  void note(CurveId curve, const std::string& digest, bool& usable);
+  void note(CurveId curve, std::string_view digest, bool& usable);
 
   const Plan& plan_;
   std::optional<Store> store_;

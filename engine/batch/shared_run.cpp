@@ -88,13 +88,14 @@ bool SharedRun::has_outputs() const {
 }
 
 void SharedRun::add(std::span<const std::uint32_t> jobs, std::string_view results) {
-  std::vector<Result> decoded = decoded_results(results);
+  DecodedResults decoded = decoded_results(results);
   std::vector<char> seen(jobs.size(), 0);
-  for (const Result& result : decoded) {
-    if (result.job >= jobs.size() || std::exchange(seen[result.job], 1) != 0) decoded.clear();
-  }
-  if (decoded.size() != jobs.size()) throw DataError("the bytes that came back are not the results of their jobs");
-  for (Result& result : decoded) {
+  const bool whole = decoded.results.size() == jobs.size() &&
+                     std::all_of(decoded.results.begin(), decoded.results.end(), [&](const Result& result) {
+                       return result.job < jobs.size() && std::exchange(seen[result.job], 1) == 0;
+                     });
+  if (!whole) throw DataError("the bytes that came back are not the results of their jobs");
+  for (Result& result : decoded.results) {
     result.job = jobs[result.job];
     take(std::move(result));
   }
@@ -105,9 +106,11 @@ void SharedRun::fail(std::uint32_t job, const std::string& message) {
   result.job = job;
   result.error = message;
   const CurvePair curves = plan_.jobs[job].curves();
+  std::array<std::string, 2> digests;
   for (std::size_t k = 0; k < curves.size(); ++k) {
     try {
-      result.digests[k] = digests_of({plan_.curves[curves[k]]}, manifest_.path).at(0);
+      digests[k] = digests_of({plan_.curves[curves[k]]}, manifest_.path).at(0);
+      result.digests[k] = digests[k];
     } catch (const DataError&) {  // an input that cannot be read has none
     }
   }

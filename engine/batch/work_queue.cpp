@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "engine/batch/queue/z_order.hpp"
+
 namespace lober::detail {
 namespace {
 
@@ -12,19 +14,8 @@ constexpr double min_cost = 2'000, min_cost_per_process = 1'000, max_cost = 20'0
 constexpr double long_cost = 50'000;  // a job with more comes before all others, so that nobody waits for it in the end
 constexpr std::size_t max_jobs = 50'000;  // some 20 MB of results
 
-// The bits of a number at the even positions.
-std::uint64_t spread(std::uint32_t number) {
-  std::uint64_t bits = number;
-  bits = (bits | bits << 16) & 0x0000ffff0000ffff;
-  bits = (bits | bits << 8) & 0x00ff00ff00ff00ff;
-  bits = (bits | bits << 4) & 0x0f0f0f0f0f0f0f0f;
-  bits = (bits | bits << 2) & 0x3333333333333333;
-  return (bits | bits << 1) & 0x5555555555555555;
-}
-
-std::uint64_t z_order(const Job& job) {
-  const CurveId second = job.second == no_curve ? job.first : job.second;
-  return spread(job.first) << 1 | spread(second);
+std::uint64_t position_of(const Job& job) {
+  return z_order(job.first, job.second == no_curve ? job.first : job.second);
 }
 
 }  // namespace
@@ -45,7 +36,7 @@ WorkQueue::WorkQueue(const Plan& plan, const std::string& manifest_path, std::sp
     for (const CurveId id : job.curves()) together += points[id];
     const double cost = plan.group_of(job).operation->cost(together);
     left_ += cost;
-    turns.push_back({cost < long_cost, z_order(job), {cost, number}});
+    turns.push_back({cost < long_cost, position_of(job), {cost, number}});
   }
   std::sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.key() < b.key(); });
   jobs_.reserve(turns.size());

@@ -1,17 +1,14 @@
 #include "engine/batch/manifest/job_key.hpp"
 
+#include <nettle/sha2.h>
+
+#include <utility>
+
 #include "engine/batch/operations/provenance.hpp"
 #include "lober/curve/curve.hpp"
 #include "lober/curve/files.hpp"
 
 namespace lober::detail {
-namespace {
-
-std::byte nibble(char digit) {
-  return static_cast<std::byte>(digit <= '9' ? digit - '0' : digit - 'a' + 10);
-}
-
-}  // namespace
 
 std::vector<const std::string*> digests_by_curve(const Plan& plan, const InputDigests& inputs) {
   std::vector<const std::string*> digests;
@@ -22,31 +19,43 @@ std::vector<const std::string*> digests_by_curve(const Plan& plan, const InputDi
   return digests;
 }
 
+namespace {
+
+void hash_text(sha256_ctx& hash, std::string_view text) {
+  sha256_update(&hash, text.size(), reinterpret_cast<const std::uint8_t*>(text.data()));
+}
+
+}  // namespace
+
+// The common part of the jobs of a group is hashed once. It goes in as a digest, which is as long as a block of the
+// hash, so that it costs the jobs nothing.
+struct JobKeys::Beginning {
+  sha256_ctx hash;
+};
+
 JobKeys::JobKeys(const Plan& plan) : plan_(plan) {
+  std::vector<Beginning> beginnings;
   for (const JobGroup& group : plan.groups) {
     const std::string text = "lober " + std::string(engine_version()) + '\n' + group.operation->name + ' ' +
                              std::to_string(group.operation->revision) + '\n' + group.options.to_string() + '\n';
-    beginnings_.push_back(sha256(std::as_bytes(std::span(text))));  // short, as it is hashed again for each job
+    sha256_init(&beginnings.emplace_back().hash);
+    hash_text(beginnings.back().hash, sha256(std::as_bytes(std::span(text))));
   }
+  beginnings_ = std::make_shared<const std::vector<Beginning>>(std::move(beginnings));
 }
 
 JobKey JobKeys::operator()(const Job& job, std::string_view digest1, std::string_view digest2) const {
-  std::string text;
-  text.reserve(256);
-  text += beginnings_[job.group];
-  const auto add = [&](CurveId curve, std::string_view digest) {
+  sha256_ctx hash = (*beginnings_)[job.group].hash;
+  const auto add_input = [&](CurveId curve, std::string_view digest) {
     if (curve == no_curve) return;
-    if (digest.empty()) text += "unreadable " + plan_.curves[curve].name();
-    text += digest;
-    text += '\n';
+    if (digest.empty()) hash_text(hash, "unreadable " + plan_.curves[curve].name());
+    hash_text(hash, digest);
+    hash_text(hash, "\n");
   };
-  add(job.first, digest1);
-  add(job.second, digest2);
-  const std::string hexadecimal = sha256(std::as_bytes(std::span(text)));
+  add_input(job.first, digest1);
+  add_input(job.second, digest2);
   JobKey key;
-  for (std::size_t k = 0; k < key.size(); ++k) {
-    key[k] = nibble(hexadecimal[2 * k]) << 4 | nibble(hexadecimal[2 * k + 1]);
-  }
+  sha256_digest(&hash, key.size(), reinterpret_cast<std::uint8_t*>(key.data()));
   return key;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,8 +31,9 @@ class JobKeys {
   [[nodiscard]] std::optional<JobKey> find(const Job& job, std::span<const std::string* const> digests) const;
 
  private:
+  struct Beginning;
   const Plan& plan_;
-  std::vector<std::string> beginnings_;  ///< by group: a digest of the common part of its jobs
+  std::shared_ptr<const std::vector<Beginning>> beginnings_;  ///< by group
 };
 
 }  // namespace lober::detail

@@ -7,6 +7,7 @@
 #include "engine/batch/operations/named_system.hpp"
 #include "engine/batch/operations/output_folder.hpp"
 #include "engine/batch/operations/output_name.hpp"
+#include "engine/batch/operations/result_numbers.hpp"
 #include "lober/base/error.hpp"
 #include "lober/curve/files.hpp"
 
@@ -43,22 +44,30 @@ bool has_option(const operations::Operation& entry, std::string_view key) {
                      [key](const OptionSpec& one) { return one.key == key; });
 }
 
-Requirements requirements_of(const operations::Operation& entry, const Options& options) {
+// The requirements that jobs of an operation may have; their options take some of them back.
+Requirements possible_requirements(const operations::Operation& entry) {
   using Kind = operations::InputKind;
   Requirements wanted;
   if (is_on_system(entry) || entry.inputs.front().kind == Kind::curve) return wanted;
   wanted.index = true;
   wanted.closed = entry.inputs.front().kind == Kind::closed_curve;
-  wanted.simple = has_option(entry, "check_simple") && options.flag("check_simple");
-  wanted.discretisation = has_option(entry, "discretisation") && options.flag("discretisation");
+  wanted.simple = has_option(entry, "check_simple");
+  wanted.discretisation = has_option(entry, "discretisation");
   return wanted;
 }
 
-std::vector<operations::Input> inputs_of(const operations::Operation& entry, const JobCurves& curves,
-                                         const Options& options) {
+Requirements requirements_of(Requirements wanted, const Options& options) {
+  wanted.simple = wanted.simple && options.flag("check_simple");
+  wanted.discretisation = wanted.discretisation && options.flag("discretisation");
+  return wanted;
+}
+
+std::vector<operations::Input> inputs_of(const operations::Operation& entry, const Requirements& possible,
+                                         const JobCurves& curves, const Options& options) {
   if (is_on_system(entry)) return {system_input_of(options, options.real("integration_tolerance"))};
-  const Requirements known = requirements_of(entry, options);
+  const Requirements known = requirements_of(possible, options);
   std::vector<operations::Input> inputs;
+  inputs.reserve(curves.size());
   for (std::size_t k = 0; k < curves.size(); ++k) {
     const PreparedCurve& one = *curves[k];
     if (entry.inputs[k].kind == operations::InputKind::points) {
@@ -90,7 +99,9 @@ void write_output(const JobCurves& curves, const Options& options, std::span<con
 // The operation that a job runs, with the paths to its numbers.
 struct Runner {
   const operations::Operation* entry;
-  std::vector<operations::NumberPath> columns, lists;
+  Requirements possible;
+  ResultNumbers columns;
+  std::vector<operations::NumberPath> lists;
   std::string lists_if;  // the option that asks for the lists
   std::function<std::span<const Point>(const operations::Outcome&)> points;
 
@@ -103,7 +114,7 @@ struct Runner {
     };
     context.holds = [&](std::size_t bytes) { curves.allowance().book(bytes); };
     context.on_part = [](const void*) {};  // orbits, which would be kept where nobody takes them
-    const operations::Outcome found = entry->run(inputs_of(*entry, curves, options), options, context);
+    const operations::Outcome found = entry->run(inputs_of(*entry, possible, curves, options), options, context);
     if (const auto apart = found.agreement.disagreements(); !apart.empty()) {
       throw DataError("two routes disagree: " + apart.front().what + " by " + apart.front().first_by + " and by " +
                       apart.front().second_by + " differ by " + format_number(apart.front().difference()) +
@@ -112,8 +123,7 @@ struct Runner {
     if (!found.incomplete.empty()) throw DataError(found.incomplete);
     if (points) write_output(curves, options, points(found));
     Result record;
-    record.values.reserve(columns.size());
-    for (const operations::NumberPath& path : columns) record.values.push_back(path.first(found.value.get()));
+    record.values = columns(found.value.get());
     if (!lists_if.empty() && !options.flag(lists_if)) return record;
     for (const operations::NumberPath& path : lists) record.lists.push_back(path.all(found.value.get()));
     return record;
@@ -130,9 +140,8 @@ void require_npy(std::string_view output) {
 }
 
 // Throws for a path that leads to no numbers: what has been renamed is seen before the first job.
-Column::Kind kind_at(const operations::NumberPath& path, const std::string& name) {
+Column::Kind kind_at(const operations::Field& field, const std::string& name) {
   using Kind = operations::FieldKind;
-  const operations::Field& field = path.field();
   const bool is_whole = field.kind == Kind::whole || field.kind == Kind::flag;
   if (is_whole && !field.null) return Column::Kind::count;
   if (is_whole || field.kind == Kind::number) return Column::Kind::real;
@@ -205,13 +214,14 @@ Operation operation_of(const operations::Operation& entry, const TableJob& job) 
          "curves given, {max_length} and the like for options; empty: no file"});
     operation.output = output_of;
   }
-  Runner runner{&entry, {}, {}, job.lists_if ? job.lists_if->key : "", job.points};
+  const Requirements possible = possible_requirements(entry);
+  Runner runner{&entry, possible, ResultNumbers(entry.result), {}, job.lists_if ? job.lists_if->key : "", job.points};
   for (const auto& [name, path] : job.columns) {
-    const operations::NumberPath& at = runner.columns.emplace_back(entry.result, path);
-    operation.columns.push_back({name, kind_at(at, name), at.field().unit, at.field().meaning});
+    const operations::Field& at = runner.columns.add(path);
+    operation.columns.push_back({name, kind_at(at, name), at.unit, at.meaning});
   }
   for (const auto& [name, path] : job.lists) {
-    (void)kind_at(runner.lists.emplace_back(entry.result, path), name);
+    (void)kind_at(runner.lists.emplace_back(entry.result, path).field(), name);
     operation.lists.push_back(name);
   }
   operation.check = [&entry, required, on_system = is_on_system(entry), needs_tangle = job.needs_tangle,
@@ -223,7 +233,7 @@ Operation operation_of(const operations::Operation& entry, const TableJob& job) 
     if (entry.check) entry.check(options, on_system ? 1 : entry.inputs.size());
     if (has_output) require_npy(options.text("output"));
   };
-  operation.requirements = [&entry](const Options& options) { return requirements_of(entry, options); };
+  operation.requirements = [possible](const Options& options) { return requirements_of(possible, options); };
   operation.run = std::move(runner);
   operation.cost = [constant = job.microseconds, rate = job.microseconds_a_point](std::size_t points) {
     return constant + rate * static_cast<double>(points);

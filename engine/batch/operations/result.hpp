@@ -34,17 +34,22 @@ struct Result {
   double seconds = 0;                           ///< the operation alone
   std::uint32_t job = 0;                        ///< as `submit` numbered it, or its number in the plan
   /// Digests of the curves' contents, hexadecimal, only if JobQueueOptions::digests; empty for a curve that was not
-  /// read.
-  std::array<std::string, 2> digests = {};
+  /// read. Views: they end with what has made the result, a queue or DecodedResults.
+  std::array<std::string_view, 2> digests = {};
   JobKey key = {};       ///< key of a job of a plan
   std::int64_t run = 0;  ///< run of the store in which it was computed; 0: the present one
 
   [[nodiscard]] bool failed() const { return !error.empty(); }
 };
 
+struct DecodedResults {
+  std::vector<Result> results;
+  std::vector<std::string> texts;  ///< their digests are views of these
+};
+
 /// Results as CBOR, to be sent, and back, bit for bit. `decoded_results` throws DataError for bytes that are none.
 [[nodiscard]] std::string encoded(std::span<const Result> results);
-[[nodiscard]] std::vector<Result> decoded_results(std::string_view bytes);
+[[nodiscard]] DecodedResults decoded_results(std::string_view bytes);
 
 /// The lists of a result as JSON, to be stored where SQL can look into them: {"flux12": [0.1, ...], ...}, every double
 /// with the digits that give it back, null for NaN, "Infinity" and "-Infinity"; no text for lists that are all empty.

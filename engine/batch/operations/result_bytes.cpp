@@ -79,31 +79,30 @@ class NumbersReader {
 // Results share their digests and have no error as a rule: each text is sent once.
 class Texts {
  public:
-  [[nodiscard]] std::uint32_t number_of(const std::string& text) {
+  [[nodiscard]] std::uint32_t number_of(std::string_view text) {
     const auto [at, is_new] = numbers_.try_emplace(text, static_cast<std::uint32_t>(texts_.size()));
-    if (is_new) texts_.push_back(text);
+    if (is_new) texts_.emplace_back(text);
     return at->second;
   }
   [[nodiscard]] const std::vector<std::string>& all() const { return texts_; }
 
  private:
-  std::unordered_map<std::string, std::uint32_t> numbers_;
+  std::unordered_map<std::string_view, std::uint32_t> numbers_;  // views of the results
   std::vector<std::string> texts_;
 };
 
 constexpr std::size_t texts_of_a_result = 3;  // its digests and its error
 
-std::vector<Result> results_of(const Json& from) {
+DecodedResults results_of(const Json& from) {
   const auto jobs = array_from<std::uint32_t>(from.at("jobs"));
   const auto keys = array_from<JobKey>(from.at("keys"), jobs.size());
   const auto seconds = array_from<double>(from.at("seconds"), jobs.size());
   const auto list_counts = array_from<std::uint32_t>(from.at("list_counts"), jobs.size());
   const auto texts = array_from<std::uint32_t>(from.at("texts"), texts_of_a_result * jobs.size());
-  const auto all_texts = from.at("all_texts").get<std::vector<std::string>>();
+  DecodedResults decoded{std::vector<Result>(jobs.size()), from.at("all_texts").get<std::vector<std::string>>()};
   NumbersReader values(from.at("values")), lists(from.at("lists"));
-  std::vector<Result> results(jobs.size());
-  for (std::size_t k = 0; k < results.size(); ++k) {
-    Result& result = results[k];
+  for (std::size_t k = 0; k < jobs.size(); ++k) {
+    Result& result = decoded.results[k];
     result.job = jobs[k];
     result.key = keys[k];
     result.seconds = seconds[k];
@@ -111,13 +110,13 @@ std::vector<Result> results_of(const Json& from) {
     for (std::uint32_t list = 0; list < list_counts[k]; ++list) result.lists.push_back(lists.next());
     const auto text = [&](std::size_t number) -> const std::string& {
       const std::uint32_t at = texts[texts_of_a_result * k + number];
-      if (at >= all_texts.size()) throw DataError("a result has a text that is not there");
-      return all_texts[at];
+      if (at >= decoded.texts.size()) throw DataError("a result has a text that is not there");
+      return decoded.texts[at];
     };
     result.digests = {text(0), text(1)};
     result.error = text(2);
   }
-  return results;
+  return decoded;
 }
 
 }  // namespace
@@ -135,7 +134,7 @@ std::string encoded(std::span<const Result> results) {
     values.add(result.values);
     list_counts.push_back(static_cast<std::uint32_t>(result.lists.size()));
     for (const std::vector<double>& list : result.lists) lists.add(list);
-    for (const std::string& text : {result.digests[0], result.digests[1], result.error}) {
+    for (const std::string_view text : {result.digests[0], result.digests[1], std::string_view(result.error)}) {
       texts.push_back(all_texts.number_of(text));
     }
   }
@@ -152,7 +151,7 @@ std::string encoded(std::span<const Result> results) {
   return bytes;
 }
 
-std::vector<Result> decoded_results(std::string_view bytes) {
+DecodedResults decoded_results(std::string_view bytes) {
   try {
     return results_of(Json::from_cbor(bytes));
   } catch (const Json::exception& error) {

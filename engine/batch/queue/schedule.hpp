@@ -26,7 +26,9 @@ struct MemoryBudget {
 /// If everything fits, by falling cost, so that what starts last is short. If not, units are put into
 /// blocks: first the jobs inside the first block by falling cost, then, unit after unit,
 /// those of its units with the later ones, which pass by while the block stays; then the same with the next block. A
-/// unit is read about once for each block before its own. Equal costs in the order given. O(n log n).
+/// unit is read about once for each block before its own. Equal costs in the order given, except for jobs that cost
+/// little beside all the others together: these come last, on a Z-order curve through the pairs of units, so that the
+/// units they read stay in the processor's caches. O(n log n).
 [[nodiscard]] std::vector<std::uint32_t> schedule(std::span<const ScheduledJob> jobs,
                                                   std::span<const std::size_t> unit_bytes, const MemoryBudget& budget);
 

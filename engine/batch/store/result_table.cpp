@@ -46,14 +46,20 @@ class Labels {
   }
   /// Binds four parameters. The statement has to run before the labels go.
   void bind(Statement& statement, int index) const {
-    for (int k = 0; k < 4; ++k) statement.bind_null(index + k);
-    if (planned_ == nullptr) return;
+    if (planned_ == nullptr) {
+      for (int k = 0; k < 4; ++k) statement.bind_null(index + k);
+      return;
+    }
     statement.bind(index, std::int64_t{job_}).bind(index + 1, std::int64_t{planned_->group});
-    if (planned_->first != no_curve) statement.bind(index + 2, std::string_view(first_));
-    if (planned_->second != no_curve) statement.bind(index + 3, std::string_view(second_));
+    bind_name(statement, index + 2, planned_->first, first_);
+    bind_name(statement, index + 3, planned_->second, second_);
   }
 
  private:
+  static void bind_name(Statement& statement, int index, CurveId curve, const std::string& name) {
+    curve != no_curve ? statement.bind(index, std::string_view(name)) : statement.bind_null(index);
+  }
+
   std::uint32_t job_;
   const Job* planned_ = nullptr;
   std::string first_, second_;
@@ -90,6 +96,26 @@ Statement& ResultTable::insert() const {
   for (std::size_t k = 2; k <= first_value + operation_.columns.size() - 1; ++k)
     parameters += ", ?" + std::to_string(k);
   return insert_.emplace(statement("INSERT INTO ", " VALUES (" + parameters + ")"));
+}
+
+// The parameters of a row of a block: what stands before the seconds, they and the sum, and the values. Before all
+// rows comes the run.
+constexpr int fixed_parameters = 7;
+
+Statement& ResultTable::insert_block() const {
+  if (insert_block_) return *insert_block_;
+  const std::size_t parameters = fixed_parameters + operation_.columns.size();
+  std::string rows;
+  for (std::size_t row = 0; row < block_rows; ++row) {
+    std::size_t number = 1 + row * parameters;
+    const auto next = [&number] { return "?" + std::to_string(++number); };
+    rows += std::string(row == 0 ? "" : ", ") + "(NULL, " + next() + ", ?1";
+    for (int k = 0; k < 5; ++k) rows += ", " + next();
+    rows += ", NULL, NULL, " + next();
+    for (std::size_t k = 0; k < operation_.columns.size(); ++k) rows += ", " + next();
+    rows += ")";
+  }
+  return insert_block_.emplace(statement("INSERT INTO ", " VALUES " + rows));
 }
 
 std::int64_t ResultTable::checksum(const Result& result, std::int64_t run, std::string_view lists) const {
@@ -154,6 +180,27 @@ std::int64_t ResultTable::put(std::optional<std::int64_t> row, const Result& res
       whole.bind_null(index);
     } else {
       bind_number(whole, index, operation_.columns[k], result.values[k]);
+    }
+  }
+  whole.run();
+  return sqlite3_last_insert_rowid(database_.handle());
+}
+
+std::int64_t ResultTable::put_block(std::span<const Result* const, block_rows> results, std::int64_t run,
+                                    const Plan* plan) const {
+  Statement& whole = insert_block();
+  std::vector<Labels> labels;
+  labels.reserve(block_rows);
+  whole.bind(1, run);
+  int index = 2;
+  for (const Result* const result : results) {
+    const Labels& label = labels.emplace_back(result->job == no_job ? nullptr : plan, result->job);
+    whole.bind_blob(index, bytes_of(result->key));
+    label.bind(whole, index + 1);
+    whole.bind(index + 5, result->seconds).bind(index + 6, checksum(*result, run, {}));
+    index += fixed_parameters;
+    for (std::size_t k = 0; k < operation_.columns.size(); ++k) {
+      bind_number(whole, index++, operation_.columns[k], result->values[k]);
     }
   }
   whole.run();

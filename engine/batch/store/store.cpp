@@ -2,8 +2,10 @@
 #include "engine/batch/store/store.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <unordered_set>
+#include <utility>
 
 #include "engine/base/quantities.hpp"
 #include "engine/batch/store/checksum.hpp"
@@ -213,16 +215,59 @@ void Store::discard(const JobKey& key) {
   if (Known* const known = known_.find(key)) known->damaged = true;
 }
 
+// Results of one table that are new there, written many at a time. `known_` has them, but not yet their rows.
+class Store::NewResults {
+ public:
+  NewResults(Store& store, bool shown) : store_(store), plan_(shown ? &*store.plan_ : nullptr) {}
+  void add(std::uint32_t table, const Result& result) {
+    if (count_ == results_.size() || (count_ > 0 && table != table_)) write();
+    table_ = table;
+    results_[count_++] = &result;
+  }
+  void write() {
+    const std::span<const Result* const> all = std::span(results_).first(std::exchange(count_, 0));
+    const ResultTable& table = store_.tables_[table_];
+    if (all.size() == results_.size()) {
+      note(all, table.put_block(results_, store_.run_, plan_));
+    } else {
+      for (const Result* const& one : all) note({&one, 1}, table.put(std::nullopt, *one, store_.run_, plan_));
+    }
+  }
+
+ private:
+  void note(std::span<const Result* const> results, std::int64_t last_row) {
+    std::int64_t row = last_row - static_cast<std::int64_t>(results.size());
+    for (const Result* const result : results) store_.known_.find(result->key)->row = ++row;
+    store_.last_rows_[table_] = std::max(store_.last_rows_[table_], last_row);
+  }
+
+  Store& store_;
+  const Plan* plan_;
+  std::uint32_t table_ = 0;
+  std::array<const Result*, ResultTable::block_rows> results_{};
+  std::size_t count_ = 0;
+};
+
 void Store::append(std::span<const Result> results, const InputDigests& digests) {
   {
     Transaction transaction(*database_);
     refresh();  // what others have committed meanwhile
     put_digests(digests);
     const bool shown = shows_plan();
+    NewResults fresh(*this, shown);
     for (std::size_t k = 0; k < results.size(); ++k) {
       if (k + 4 < results.size()) known_.prefetch(results[k + 4].key);
-      put(table_of(*plan_, results[k].job), results[k], shown);
+      const std::uint32_t table = table_of(*plan_, results[k].job);
+      const auto [known, absent] = known_.try_emplace(results[k].key, Known{0, no_job, table, true});
+      if (absent && ResultTable::fits_block(results[k])) {
+        known = {0, shown ? results[k].job : no_job, table, false};
+        fresh.add(table, results[k]);
+      } else {
+        fresh.write();
+        put(known, absent, table, results[k], shown);
+      }
     }
+    fresh.write();
     transaction.commit();
   }
   file_->require_in_place(*database_);
@@ -234,6 +279,10 @@ std::uint32_t Store::table_of(const Plan& plan, std::uint32_t job) const {
 
 void Store::put(std::uint32_t table, const Result& result, bool shown) {
   const auto [known, absent] = known_.try_emplace(result.key, Known{0, no_job, table, true});
+  put(known, absent, table, result, shown);
+}
+
+void Store::put(Known& known, bool absent, std::uint32_t table, const Result& result, bool shown) {
   const Plan* const plan = shown && result.job != no_job ? &*plan_ : nullptr;
   if (known.damaged) tables_[known.table].remove(known.row);
   const bool is_new = absent || known.damaged;

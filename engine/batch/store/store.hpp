@@ -113,6 +113,7 @@ class Store {
   std::vector<std::size_t> merge(std::span<const Store> others, const Progress& progress = {});
 
  private:
+  class NewResults;
   Store(const std::string& path, bool create);
   void check_format(bool create);
   void read_known(std::uint32_t table, bool backwards);
@@ -123,6 +124,7 @@ class Store {
   void put_run(const Run& run);
   [[nodiscard]] std::uint32_t table_of(const Plan& plan, std::uint32_t job) const;
   void put(std::uint32_t table, const Result& result, bool shown);
+  void put(Known& known, bool absent, std::uint32_t table, const Result& result, bool shown);
   [[nodiscard]] bool take_over(const Store& other, const Progress& progress);
   void put_repeat(std::uint32_t job, const Known& known);
   void label_rows(const InputDigests& inputs);

@@ -17,8 +17,13 @@ namespace lober {
 using namespace detail;
 
 struct detail::DiscretisationData {
+  struct Chord {
+    DD before;  // running sum up to it
+    double area;
+  };
   CurveView curve;
-  Buffer<DD> before;  // running sums, up to each chunk of segments
+  Buffer<DD> before;     // running sums, up to each chunk of segments
+  Buffer<Chord> chords;  // kept for a short curve: all that a contact asks for
   DD total;
 };
 
@@ -27,6 +32,8 @@ namespace {
 constexpr std::size_t chunk = 8;  // whose areas a contact computes again, all at once
 constexpr std::size_t chords_a_block = 4096;
 static_assert(chords_a_block % chunk == 0);
+// The chords of a curve with at most that number of segments are kept: it meets many others as a rule.
+constexpr std::size_t short_curve = 2048;
 
 double chord_area(const CurveView& curve, std::size_t number) {
   const std::size_t size = curve.points.size();
@@ -63,13 +70,27 @@ void chord_areas(const CurveView& curve, std::size_t begin, std::size_t end, dou
   }
 }
 
+struct RoundedPosition {
+  std::uint32_t segment;
+  double t;
+};
+
 // Calls take(k, sum) with the running sum of the chord-to-arc areas up to contact k, like sum_along for the shoelace
 // sums.
 template <typename ContactAt, typename Take>
 void chord_areas_at_contacts(const DiscretisationSums& sums, std::size_t count, const ContactAt& contact,
                              const Take& take) {
   const CurveView& curve = sums.data().curve;
+  const Buffer<DiscretisationData::Chord>& chords = sums.data().chords;
   for_each_block(count, 1024, [&](std::size_t first, std::size_t last) {
+    if (!chords.empty()) {
+      for (std::size_t k = first; k < last; ++k) {
+        const RoundedPosition at = contact(k);
+        const auto& [before, area] = chords[at.segment];
+        take(k, before + DD{area * sagitta_fraction(at.t), 0});
+      }
+      return;
+    }
     for (std::size_t k = first; k < last;) {
       const std::size_t begin = contact(k).segment / chunk * chunk;
       DD sum = sums.data().before[begin / chunk];
@@ -86,10 +107,22 @@ void chord_areas_at_contacts(const DiscretisationSums& sums, std::size_t count, 
   });
 }
 
-struct RoundedPosition {
-  std::uint32_t segment;
-  double t;
-};
+// With the sums that a contact on a longer curve finds.
+void keep_chords(DiscretisationData& data) {
+  const std::size_t segments = data.curve.segments();
+  data.chords.resize(segments);
+  for (std::size_t begin = 0; begin < segments; begin += chunk) {
+    const std::size_t end = std::min(begin + chunk, segments);
+    std::array<double, chunk> areas;
+    chord_areas(data.curve, begin, end, areas.data());
+    DD sum = data.before[begin / chunk];
+    for (std::size_t k = begin; k < end; ++k) {
+      const double area = areas[k - begin];
+      data.chords[k] = {sum, area};
+      sum += DD{area, 0};
+    }
+  }
+}
 
 }  // namespace
 
@@ -116,11 +149,12 @@ DiscretisationSums::DiscretisationSums(CurveView curve) {
     for (std::size_t k = block * (chords_a_block / chunk); k < end; ++k) before[k] = made->total + before[k];
     made->total += block_sums[block];
   }
+  if (segments <= short_curve) keep_chords(*made);
   data_ = std::move(made);
 }
 
 std::size_t DiscretisationSums::memory() const {
-  return data_->before.capacity() * sizeof(DD);
+  return data_->before.capacity() * sizeof(DD) + data_->chords.capacity() * sizeof(DiscretisationData::Chord);
 }
 
 Areas discretisation_error(const Overlay& result) {

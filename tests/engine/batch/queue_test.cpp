@@ -194,7 +194,7 @@ TEST_F(QueueOnFiles, MemoryIsKeptAndFilesAreReadFewTimes) {
   }
   std::map<std::string, std::set<std::string>> partners;
   const QueueReport report =
-      queue.run([&](const Result& result) { partners[result.digests[0]].insert(result.digests[1]); });
+      queue.run([&](const Result& result) { partners[std::string(result.digests[0])].emplace(result.digests[1]); });
   EXPECT_EQ(report.jobs, files * (files - 1) / 2);
   EXPECT_EQ(report.failed, 0U);
   EXPECT_EQ(partners.size(), files - 1);

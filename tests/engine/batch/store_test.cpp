@@ -139,7 +139,8 @@ TEST(Results, ComeBackFromTheirBytes) {
   given[0].lists = {{}, {1, 1e-310, std::nan("")}};
   given[0].digests = {"one", "two"};
   const std::string bytes = encoded(given);
-  const std::vector<Result> found = decoded_results(bytes);
+  const DecodedResults decoded = decoded_results(bytes);
+  const std::vector<Result>& found = decoded.results;
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].values, given[0].values);
   EXPECT_TRUE(std::signbit(found[0].values[0]));
