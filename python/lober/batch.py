@@ -138,7 +138,7 @@ def run(
         )
     for line in parts["damaged"]:
         warnings.warn(f"{line}; it was done again", IncompleteWarning, stacklevel=2)
-    for line in parts.get("warnings", ()):
+    for line in parts["warnings"]:
         warnings.warn(line, stacklevel=2)
     if parts["failed"]:
         first = found.failures[0]
