@@ -143,7 +143,7 @@ void check_manifest(const Arguments& arguments) {
                       sum.core_seconds);
   if (sum.pilots > 0) {
     text += "the time of escapes is judged by " + counted(sum.pilots, "coarse one", "coarse ones") +
-            " that took part in this check\n";
+            " that this check has run\n";
   }
   const bool usual = std::any_of(plan.jobs.begin(), plan.jobs.end(), [&](const detail::Job& job) {
     return job.curves().size() == 0 && !plan.group_of(job).operation->pilot;
