@@ -9,7 +9,7 @@
 
 namespace lober::detail {
 
-/// What pilots say about the jobs of a plan.
+/// The times of jobs by pilots.
 struct Piloted {
   std::vector<std::uint32_t> jobs;  ///< those whose operation has pilots
   std::vector<double> seconds;      ///< time of each of them on one core
