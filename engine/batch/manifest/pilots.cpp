@@ -14,7 +14,8 @@ namespace lober::detail {
 namespace {
 
 constexpr std::size_t max_pilots = 9;
-constexpr double max_seconds = 3;
+constexpr double max_seconds = 3;        // of processor time, after which no pilot begins
+constexpr double broken_off_after = 10;  // by the clock, which a busy machine lets run on
 
 // The ends first, then the middle, then the middles of what is between.
 std::vector<std::size_t> spread_over(std::size_t count) {
@@ -31,13 +32,17 @@ std::vector<std::size_t> spread_over(std::size_t count) {
   return chosen;
 }
 
-// Seconds of the job that the pilot stands for.
-double flown(const Operation& operation, const Options& options, const Stopwatch& watch) {
+struct Flight {
+  double seconds = 0;   // of the pilot
+  double forecast = 0;  // of the job that it stands for
+};
+
+Flight flown(const Operation& operation, const Options& options, const Stopwatch& watch) {
   const Pilot pilot = operation.pilot(options);
   Result result;
   result.error = "broken off";
-  double seconds = 0;
-  (void)done_within(watch, max_seconds, [&] {
+  double seconds = broken_off_after;
+  (void)done_within(watch, broken_off_after, [&] {
     with_threads(1, [&] {
       const double start = processor_seconds();
       try {
@@ -50,7 +55,8 @@ double flown(const Operation& operation, const Options& options, const Stopwatch
       seconds = processor_seconds() - start;
     });
   });
-  return result.failed() && result.error != "broken off" ? seconds : pilot.forecast(seconds, result);
+  const bool failed = result.failed() && result.error != "broken off";
+  return {seconds, failed ? seconds : pilot.forecast(seconds, result)};
 }
 
 }  // namespace
@@ -61,12 +67,15 @@ Piloted run_pilots(const Plan& plan) {
     if (plan.group_of(plan.jobs[job]).operation->pilot) found.jobs.push_back(job);
   }
   const Stopwatch watch;
+  double taken = 0;
   std::vector<std::size_t> judged;
   found.seconds.resize(found.jobs.size());
   for (const std::size_t k : spread_over(found.jobs.size())) {
-    if (!judged.empty() && watch.seconds() > max_seconds) break;
+    if (!judged.empty() && (taken > max_seconds || watch.seconds() > broken_off_after)) break;
     const JobGroup& group = plan.group_of(plan.jobs[found.jobs[k]]);
-    found.seconds[k] = flown(*group.operation, group.options, watch);
+    const Flight flight = flown(*group.operation, group.options, watch);
+    taken += flight.seconds;
+    found.seconds[k] = flight.forecast;
     judged.push_back(k);
   }
   found.run = judged.size();
