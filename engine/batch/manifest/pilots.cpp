@@ -14,7 +14,7 @@ namespace lober::detail {
 namespace {
 
 constexpr std::size_t max_pilots = 9;
-constexpr double max_seconds = 3;        // of processor time, after which no pilot begins
+constexpr double max_seconds = 3;        // processor time after which no pilot begins
 constexpr double broken_off_after = 10;  // by the clock, which a busy machine lets run on
 
 // The ends first, then the middle, then the middles of what is between.
@@ -33,8 +33,8 @@ std::vector<std::size_t> spread_over(std::size_t count) {
 }
 
 struct Flight {
-  double seconds = 0;   // of the pilot
-  double forecast = 0;  // of the job that it stands for
+  double seconds = 0;   // time of the pilot
+  double forecast = 0;  // time of the job that it stands for
 };
 
 Flight flown(const Operation& operation, const Options& options, const Stopwatch& watch) {
