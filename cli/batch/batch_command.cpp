@@ -107,7 +107,7 @@ void check_manifest(const Arguments& arguments) {
   std::uint64_t memory = 0;
   OptionParser parser(
       "Reads a manifest and reports the number of its jobs, curves and points, and the work that the memory is too "
-      "small for. Nothing is computed.",
+      "small for. Nothing is computed but what shows in a few seconds how long it takes.",
       "lober batch check");
   parser.add_example("lober batch check job.toml", "the work that the manifest asks for");
   parser.add_example("lober batch check job.toml --memory 4G", "and whether 4 GB are enough for it");
@@ -141,9 +141,14 @@ void check_manifest(const Arguments& arguments) {
   text += fmt::format("about {:.1f} MB for all curves at once\n", static_cast<double>(sum.memory) / 1e6);
   text += fmt::format("about {:.2g} s on one core if curves cross a few times; dense tangles take longer\n",
                       sum.core_seconds);
-  const bool without_curves =
-      std::any_of(plan.jobs.begin(), plan.jobs.end(), [](const detail::Job& job) { return job.curves().size() == 0; });
-  if (without_curves) {
+  if (sum.pilots > 0) {
+    text += "the time of escapes is judged by " + counted(sum.pilots, "coarse one", "coarse ones") +
+            " that this check has run\n";
+  }
+  const bool usual = std::any_of(plan.jobs.begin(), plan.jobs.end(), [&](const detail::Job& job) {
+    return job.curves().size() == 0 && !plan.group_of(job).operation->pilot;
+  });
+  if (usual) {
     text += "jobs without curves are counted with the time of a usual one; options make them far shorter or longer\n";
   }
   print(text);

@@ -8,6 +8,8 @@
 #include "cli/image/image_report.hpp"
 #include "cli/picture/picture_options.hpp"
 #include "cli/program/command_line.hpp"
+#include "cli/program/log.hpp"
+#include "cli/program/option_names.hpp"
 #include "cli/program/output_names.hpp"
 #include "cli/program/progress.hpp"
 #include "cli/program/system_options.hpp"
@@ -152,6 +154,7 @@ void run(const ImageRequest& request) {
     if (!request.json.empty()) write_image_json(request.json, report, [&] { return watch.seconds(); });
   }
   if (!takes_standard_output(outputs)) print_report(image_table(report));
+  if (!report.outcome.incomplete.empty()) log_warning(with_option_names(report.outcome.incomplete));
   require_agreement(report.outcome.agreement);
 }
 

@@ -11,6 +11,7 @@
 #include "cli/picture/system_figure.hpp"
 #include "cli/program/option_names.hpp"
 #include "cli/program/system_options.hpp"
+#include "cli/report/report.hpp"
 #include "cli/report/table.hpp"
 #include "cli/transport/transport_report.hpp"
 
@@ -50,6 +51,31 @@ std::string remarks_text(const SweepReport& report) {
     text += fmt::format("no flux at {} = {:.6g}: {}\n", report.result().parameter, row.value,
                         with_option_names(row.remark));
   }
+  return text;
+}
+
+// Why rows failed, each reason once, with the first value that has it and how many have.
+std::string failures_text(const SweepReport& report) {
+  constexpr std::size_t most = 10;
+  struct Reason {
+    const SweepRow* first;
+    std::size_t rows = 0;
+  };
+  std::vector<Reason> reasons;
+  for (const SweepRow& row : report.result().rows) {
+    if (row.failure.empty()) continue;
+    const auto known = std::find_if(reasons.begin(), reasons.end(),
+                                    [&](const Reason& reason) { return reason.first->failure == row.failure; });
+    ++(known == reasons.end() ? reasons.emplace_back(Reason{&row}) : *known).rows;
+  }
+  std::string text;
+  for (std::size_t k = 0; k < std::min(most, reasons.size()); ++k) {
+    const auto& [row, rows] = reasons[k];
+    text += fmt::format("failed at {} = {:.6g}{}: {}\n", report.result().parameter, row->value,
+                        rows > 1 ? fmt::format(" and {} more", rows - 1) : "", with_option_names(row->failure));
+  }
+  if (reasons.size() > most)
+    text += fmt::format("and {}\n", counted(reasons.size() - most, "other reason", "other reasons"));
   return text;
 }
 
@@ -100,7 +126,7 @@ std::string sweep_head(const SystemInfo& system, const operations::SystemSweep& 
 std::string sweep_row(const operations::SystemSweep& sweep, std::size_t k) {
   const SweepRow& row = sweep.rows[k];
   const std::string value = fmt::format("{:.6g}", row.value);
-  if (!row.failure.empty()) return table_of(sweep).row({value}, " failed: " + with_option_names(row.failure));
+  if (!row.failure.empty()) return table_of(sweep).row({value}, " failed");
   const bool flux = row.remark.empty();
   std::vector<std::string> cells{value,
                                  fmt::format("{:.10g}", row.multiplier),
@@ -126,7 +152,7 @@ std::string sweep_table(const SweepReport& report) {
 }
 
 std::string sweep_summary(const SweepReport& report) {
-  std::string text = bip_text(report);
+  std::string text = failures_text(report) + bip_text(report);
   text += remarks_text(report);
   text += breaks_text(report);
   for (const SweepZero& zero : report.result().zeros) {

@@ -146,6 +146,7 @@ PortionResults run_portion(std::string_view portion, const PortionOptions& optio
     result.error = with_names(std::move(result.error), options.names);
     results.push_back(std::move(result));
   });
+  for (std::string& line : done.queue.warnings) line = with_names(std::move(line), options.names);
   done.results = encoded(results);
   return done;
 }

@@ -31,8 +31,8 @@ class SharedRun {
   ~SharedRun();
 
   [[nodiscard]] std::size_t pending() const { return session_->pending().size(); }
-  /// Jobs and damaged results of before; what `add` and `fail` have counted. `queue.points` and `queue.threads` are for
-  /// the caller to fill in.
+  /// Jobs and damaged results of before; what `add` and `fail` have counted. `queue.points`, `queue.threads` and
+  /// `queue.warnings` are for the caller to fill in.
   [[nodiscard]] const BatchReport& report() const { return report_; }
 
   /// As WorkQueue::next_portion, of the pending jobs.
@@ -86,7 +86,7 @@ struct PortionOptions {
 /// The results of a portion.
 struct PortionResults {
   std::string results;  ///< for SharedRun::add
-  QueueReport queue;    ///< counts and times
+  QueueReport queue;    ///< counts, times and warnings
 };
 
 /// Computes the jobs of a portion. Bits do not depend on where. A job that fails is a result. Throws DataError for

@@ -35,7 +35,7 @@ py::dict report(const SharedRun& run) {
   return parts;
 }
 
-// The results, the points of the curves of all jobs, and the seconds of the threads in jobs.
+// The results, the points of the curves of all jobs, the seconds of the threads in jobs, and the warnings.
 py::tuple run_portion(const std::string& portion, const std::string& manifest_path, const py::kwargs& given) {
   lober::detail::PortionOptions options;
   options.manifest_path = manifest_path;
@@ -52,7 +52,7 @@ py::tuple run_portion(const std::string& portion, const std::string& manifest_pa
   options.kept = kept.get();
   const lober::detail::PortionResults done =
       long_call(options.queue.threads, [&] { return lober::detail::run_portion(portion, options); });
-  return py::make_tuple(py::bytes(done.results), done.queue.points, done.queue.operation_seconds);
+  return py::make_tuple(py::bytes(done.results), done.queue.points, done.queue.operation_seconds, done.queue.warnings);
 }
 
 py::dict counts_of(const KeptCurves& kept) {

@@ -22,9 +22,10 @@ def points_of(curve: Any, name: str = "curve") -> Points:
     No copy is made of an array that is one already, nor of a contiguous vector of complex128. Other numbers are
     converted. Taken are arrays and sequences of N x 2 numbers, vectors of complex numbers, and what stands for a curve
     elsewhere (_geometry.py): polygons without holes, rings and lines of shapely and GeoJSON, objects with
-    `__geo_interface__`, a row of a GeoDataFrame, tables and datasets with columns x and y, DataArrays.
+    `__geo_interface__`, a row of a GeoDataFrame, tables, structured arrays and datasets with
+    columns x and y, DataArrays.
     """
-    if not isinstance(curve, np.ndarray):
+    if not isinstance(curve, np.ndarray) or curve.dtype.names is not None:
         curve = array_of_geometry(curve, name)
     if isinstance(curve, np.ma.MaskedArray) and np.ma.getmaskarray(curve).any():
         raise UsageError(f"{name} has masked points; remove them first")

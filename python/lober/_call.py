@@ -12,7 +12,7 @@ import numpy as np
 from . import _lober
 from ._agreement import Agreement, agreement_of
 from ._arrays import kept_points_of, points_of, sealed
-from ._numbers import number_of, threads_of
+from ._numbers import number_of, numbers_of, threads_of
 from ._progress import Progress, watching
 from ._systems import Connection, System, is_own, pair_of, system_of
 from .errors import IncompleteWarning, UsageError
@@ -106,7 +106,7 @@ def _setting(key: str, value: Any, kind: str) -> Any:
     if kind == "numbers" and (np.ndim(value) == 2 or np.iscomplexobj(value)):  # the corners of a path
         value = points_of(value, key).ravel()
     if kind in ("box", "numbers"):
-        return tuple(number_of(one, key) for one in value)
+        return numbers_of(value, key)
     if kind == "int" and isinstance(value, (int, np.integer)):
         if abs(int(value)) >= 2**63:
             raise UsageError(f"{key}: {value} is too large")

@@ -25,6 +25,8 @@ Callback = Optional[Callable[[Optional[float], Optional[str]], Any]]
 AHEAD = 2
 #: Seconds between two looks at the workers.
 LOOK = 1.0
+#: Warnings of a run that are kept, as many as a run of one process keeps.
+MAX_WARNINGS = 1000
 #: How often an exception that is not the end of a worker is met with another try.
 RETRIES = 2
 
@@ -92,6 +94,7 @@ def run_batch(
     return {
         **shared.report,
         "stopped": run.stopped,
+        "warnings": sorted(run.warnings),
         "points": run.points,
         "threads": run.max_threads,
         "seconds": time.monotonic() - begin,
@@ -117,6 +120,7 @@ class SharedBatch:
         self._watched = time.monotonic()
         self.stopped = False
         self.points = 0
+        self.warnings: set[str] = set()
         self.max_threads = 0
 
     # ------------------------------------------------------------------------------------------------------- the loop
@@ -254,6 +258,9 @@ class SharedBatch:
             return
         self._shared.add(task.jobs, outcome.results)
         self.points += outcome.points
+        for line in outcome.warnings:
+            if len(self.warnings) < MAX_WARNINGS:
+                self.warnings.add(line)
 
     def _failed(self, task: Task, error: BaseException) -> None:
         """A task that ended its workers is parted until the job is found that does it. All tasks of a worker count as

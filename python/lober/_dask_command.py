@@ -10,7 +10,10 @@ import warnings
 from typing import Any, Sequence
 
 from . import __version__, batch
-from .errors import Cancelled, DataError, Error, IncompleteWarning, UsageError
+from .errors import Cancelled, DataError, Error, UsageError
+
+#: Warnings that are printed.
+MAX_LINES = 20
 
 UNITS = {"": 1, "K": 1 << 10, "M": 1 << 20, "G": 1 << 30, "T": 1 << 40}
 
@@ -36,7 +39,7 @@ def _run(given: argparse.Namespace) -> int:
     client = _client(given)
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore", IncompleteWarning)  # the summary says it
+            warnings.filterwarnings("ignore", module=__name__.replace(".", r"\."))  # what follows says all of it
             store = batch.run(
                 given.manifest,
                 given.store,
@@ -55,13 +58,20 @@ def _run(given: argparse.Namespace) -> int:
     print(f"{report.jobs} jobs: {report.finished_before} done before, {report.run} run, {report.failed} failed")
     print(f"{report.seconds:.3f} s on {report.threads} threads of workers")
     print(f"results in {store.path}")
-    for line in report.damaged:
-        print(f"lober-dask: {line}; it was done again", file=sys.stderr)
+    _warn([f"{line}; it was done again" for line in report.damaged])
+    _warn(report.warnings)
     if report.failed:
         first = store.failures[0]
         print(f"lober-dask: {report.failed} jobs failed, first {first.first}: {first.message}", file=sys.stderr)
         print(f"lober-dask: lober batch status {store.path} lists the messages", file=sys.stderr)
     return 1 if report.failed else 0
+
+
+def _warn(lines: list[str]) -> None:
+    for line in lines[:MAX_LINES]:
+        print(f"lober-dask: {line}", file=sys.stderr)
+    if len(lines) > MAX_LINES:
+        print(f"lober-dask: and {len(lines) - MAX_LINES} more such lines", file=sys.stderr)
 
 
 def _client(given: argparse.Namespace) -> Any:

@@ -56,6 +56,8 @@ class Done(NamedTuple):
     results: bytes
     points: int
     seconds: float
+    #: A line for each curve or pair whose results may not mean what a user thinks.
+    warnings: list[str]
 
 
 class Unfit(NamedTuple):

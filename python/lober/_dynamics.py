@@ -13,7 +13,7 @@ from ._areas import html_table
 from ._arrays import Points
 from ._call import Run
 from ._result import Result
-from ._systems import Box, Pair, system_of
+from ._systems import Box, Pair, pair_of, system_of
 
 
 @dataclass(frozen=True)
@@ -101,7 +101,7 @@ def _point_of(row: dict[str, Any]) -> FixedPoint:
 
 def fixed_point(system: Any, near: Pair, *, period: int = 1, turns: int = 0) -> FixedPoint:
     """The one that Newton's method finds from a point. Raises DataError where it does not converge."""
-    return FixedPoint(*_lober.fixed_point(system_of(system)._of, near, period, turns))
+    return FixedPoint(*_lober.fixed_point(system_of(system)._of, pair_of(near, "near"), period, turns))
 
 
 @dataclass(frozen=True)

@@ -26,7 +26,11 @@ def array_of_geometry(curve: Any, name: str) -> Any:
         return curve.points
     if hasattr(curve, "dims"):
         return array_of_labelled(curve, name)
+    if isinstance(curve, np.ndarray):  # a structured one
+        return np.stack([curve[one] for one in _named(curve.dtype.names, name)], axis=-1)
     geometry = getattr(curve, "geometry", None)
+    if geometry is None and hasattr(curve, "geometry"):
+        raise UsageError(f"{name} is a row without a geometry")
     if geometry is not None and hasattr(geometry, "geom_type"):  # a table of geopandas, or a row of one
         return array_of_geometry(_only(geometry, name), name)
     if hasattr(curve, "geom_type"):
@@ -34,9 +38,14 @@ def array_of_geometry(curve: Any, name: str) -> Any:
     if hasattr(curve, "columns") and hasattr(curve, "to_numpy"):
         return _of_table(curve, name)
     mapping = getattr(curve, "__geo_interface__", curve)
-    if isinstance(mapping, Mapping):
+    if not isinstance(mapping, Mapping):
+        return curve
+    try:
         return _of_mapping(mapping, name)
-    return curve
+    except UsageError:
+        raise
+    except (ValueError, TypeError, LookupError, AttributeError):
+        raise UsageError(f"{name} is not GeoJSON of a curve, whose coordinates are a list of points") from None
 
 
 def _only(geometry: Any, name: str) -> Any:

@@ -25,6 +25,18 @@ def number_of(given: Any, what: str) -> float:
         raise UsageError(f"{what} is too large for a double; scale the units") from None
 
 
+def numbers_of(given: Any, what: str, count: int = 0) -> tuple[float, ...]:
+    """Several numbers, as many as `count` says where it says something."""
+    words = {0: "numbers", 2: "two numbers", 4: "the four numbers x0, y0, x1, y1"}[count]
+    try:
+        entries = [given] if isinstance(given, (str, bytes)) else list(given)
+    except TypeError:
+        raise TypeError(f"{what} has to be {words}, not {given!r}") from None
+    if count and len(entries) != count:
+        raise UsageError(f"{what} has to be {words}, not {given!r}")
+    return tuple(number_of(one, what) for one in entries)
+
+
 def threads_of(given: Any) -> int:
     """A number of threads: 0 or None for one of each core. Whole numbers of every type are taken, nothing else."""
     if given is None:

@@ -8,7 +8,7 @@ from typing import Any, Callable, Mapping
 import numpy as np
 
 from . import _lober
-from ._numbers import number_of
+from ._numbers import number_of, numbers_of
 from ._own_field import AddressField, Array, Function, VectorisedField, bound, field_of
 from ._own_maps import FormulaMap, OwnMap
 from ._pickles import pickled
@@ -176,7 +176,7 @@ def flow(
 def extent_of(name: str, window: Box) -> float:
     """The extent of a system's window, which knows the units of its coordinates; infinite for an empty one, which is refused
     where it is used."""
-    x0, y0, x1, y1 = (number_of(edge, f"system {name}: window") for edge in window)
+    x0, y0, x1, y1 = numbers_of(window, f"system {name}: window", 4)
     extent = max(x1 - x0, y1 - y0)
     return extent if 0 < extent < np.inf else np.inf
 
@@ -216,7 +216,7 @@ def own_system(
     connection: Connection | None,
 ) -> System:
     parts = None if connection is None else connection._parts()
-    x0, y0, x1, y1 = (number_of(entry, f"system {name}: window") for entry in window)
+    x0, y0, x1, y1 = numbers_of(window, f"system {name}: window", 4)
     shift = pair_of(lattice, f"system {name}: lattice")
     require_consistent(name, own, (x0, y0, x1, y1), shift)
     made = _lober.own_system(
@@ -255,7 +255,7 @@ def flow_system(
     tolerance: float,
     connection: Connection | None,
 ) -> System:
-    x0, y0, x1, y1 = (number_of(entry, f"system {name}: window") for entry in window)
+    x0, y0, x1, y1 = numbers_of(window, f"system {name}: window", 4)
     shift = pair_of(lattice, f"system {name}: lattice")
     if isinstance(field, VectorisedField):
         require_consistent(name, field, (x0, y0, x1, y1), shift)

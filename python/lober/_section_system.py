@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _lober
-from ._numbers import number_of
+from ._numbers import number_of, numbers_of
 from ._own import Family, _value, extent_of, summary_of
 from ._own_field import bound as bound_to
 from ._own_field import field_of, names_of_coordinates
@@ -236,7 +236,7 @@ def _of_expressions(given: Any, options: dict[str, Any]) -> Family:
 
 
 def _box(title: str, window: Sequence[float]) -> Box:
-    x0, y0, x1, y1 = (number_of(entry, f"system {title}: window") for entry in window)
+    x0, y0, x1, y1 = numbers_of(window, f"system {title}: window", 4)
     return x0, y0, x1, y1
 
 

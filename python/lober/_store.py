@@ -46,6 +46,9 @@ class Report:
     seconds: float
     #: A line for each stored result that could not be read; its job was done again.
     damaged: list[str]
+    #: A line for each curve, and each pair, whose results may not mean what you think: longitudes that were stored modulo
+    #: 360, and no period in the manifest. Sorted, the first thousand that were found.
+    warnings: list[str]
 
     @classmethod
     def _of(cls, parts: dict[str, Any]) -> Report:

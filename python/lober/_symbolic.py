@@ -9,7 +9,7 @@ from typing import Any, Mapping, Sequence
 import numpy as np
 
 from . import _lober
-from ._numbers import number_of
+from ._numbers import number_of, numbers_of
 from ._own import Family, flow_system, period_flow
 from ._systems import Connection, Pair, System, pair_of
 from .errors import UsageError
@@ -89,7 +89,7 @@ def _family(
 
     parameters = dict(params or {})
     form = form_of(name, velocity, h, coordinates, t, period, parameters)
-    x0, y0, x1, y1 = (number_of(entry, f"system {name}: window") for entry in window)
+    x0, y0, x1, y1 = numbers_of(window, f"system {name}: window", 4)
     box, shift = (x0, y0, x1, y1), pair_of(lattice, f"system {name}: lattice")
     begin = number_of(phase, f"system {name}: phase")
     in_numpy = NumPyForm(form)

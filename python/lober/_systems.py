@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from . import _lober
 from ._arrays import Points, points_of
-from ._numbers import number_of
+from ._numbers import number_of, numbers_of
 from .errors import UsageError
 
 Pair = tuple[float, float]
@@ -68,10 +68,8 @@ class Connection:
 
 
 def pair_of(given: Any, what: str) -> Pair:
-    entries = [given] if isinstance(given, str) else list(given)
-    if len(entries) != 2:
-        raise UsageError(f"{what} has to be two numbers, not {given!r}")
-    return number_of(entries[0], what), number_of(entries[1], what)
+    x, y = numbers_of(given, what, 2)
+    return x, y
 
 
 def _info(parts: tuple[Any, ...]) -> SystemInfo:

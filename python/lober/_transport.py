@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from . import _lober
 from ._agreement import Agreement
 from ._areas import html_table
-from ._arrays import Points
+from ._arrays import Points, sealed
 from ._call import Run
 from ._measured import Measured
 from ._melnikov import Melnikov
@@ -204,7 +204,9 @@ class Escape(Result):
     `table` is a structured array with fields `entry`, `exit` (numbers of bottlenecks), `crossings`, `iterates`,
     `fraction`, `error`, and `other`, `other_error`, the same from another split; NaN where it is not known. `stop` says
     why it goes to `crossings` only: done, points, work, budget or lost. `also_open` holds saddles below the energy that
-    are none of the system's, as states: what leaves by these is not in the table.
+    are none of the system's, as states: what leaves by these is not in the table. `survival` is a structured array with
+    fields `entry`, `crossings` (n), `left` (the fractions that have left by each exit up to n), `remains` and `error`, as
+    far as all fractions are known.
     """
 
     energy: float
@@ -214,6 +216,7 @@ class Escape(Result):
     bottlenecks: list[Bottleneck]
     also_open: list[list[float]]
     agreement: Agreement
+    survival: NDArray[Any]
 
     _picture = "exits"
 
@@ -237,9 +240,21 @@ class Escape(Result):
             [_bottleneck(found["energy"], one) for one in found["bottlenecks"]],
             [list(state) for state in found["also_open"]["at"]],
             run.agreement,
+            sealed(_survival(found["survival"], names)),
         )
         remember(made, run)
         return made
+
+
+def _survival(columns: dict[str, Any], names: list[str]) -> NDArray[Any]:
+    fields: list[Any] = [("entry", np.uint32), ("crossings", np.int32), ("left", np.float64, (len(names),))]
+    table = np.empty(len(columns["entrance"]), [*fields, ("remains", np.float64), ("error", np.float64)])
+    table["entry"] = [names.index(name) for name in columns["entrance"]]
+    table["crossings"] = columns["crossings"]
+    if len(table) > 0:
+        table["left"] = np.asarray(columns["left"], np.float64)
+    table["remains"], table["error"] = columns["remains"]
+    return table
 
 
 def _escape_table(columns: dict[str, Any], names: list[str]) -> NDArray[Any]:

@@ -138,7 +138,7 @@ def run(
         )
     for line in parts["damaged"]:
         warnings.warn(f"{line}; it was done again", IncompleteWarning, stacklevel=2)
-    for line in parts.get("warnings", ()):
+    for line in parts["warnings"]:
         warnings.warn(line, stacklevel=2)
     if parts["failed"]:
         first = found.failures[0]
@@ -194,6 +194,8 @@ def _given(manifest: Manifest) -> tuple[str, str | None]:
     if isinstance(manifest, (str, os.PathLike)):
         if isinstance(manifest, str) and "\n" in manifest:
             raise UsageError("a manifest is the name of a file or a dictionary, not a text in TOML")
+        if not os.fspath(manifest):
+            raise UsageError("the name of the manifest is empty")
         return os.fspath(manifest), None
     raise TypeError(f"a manifest is the name of a file or a dictionary, not {type(manifest).__name__}")
 

@@ -262,3 +262,24 @@ def test_paths_of_a_wrong_type(tmp_path):
     with pytest.raises(lober.DataError, match="is a folder, not a manifest"):
         lober.batch.run(tmp_path)
     assert lober.batch.run(manifest, os.fsencode(tmp_path / "s")).path == str(tmp_path / "s")
+
+
+def test_the_name_of_a_manifest_is_not_empty() -> None:
+    with pytest.raises(lober.UsageError, match="the name of the manifest is empty"):
+        lober.batch.run("")
+
+
+def test_sql_finds_the_fractions_of_escapes(tmp_path: Path) -> None:
+    """Their number depends on the results, so that a view cannot have them as columns: the query of the document."""
+    document = (Path(__file__).parents[2] / "docs" / "reference" / "batch.md").read_text()
+    query = next(block for block in document.split("```text\n") if block.startswith("SELECT")).split("```")[0]
+    store = lober.batch.run(
+        {"operation": "escape", "options": {"system": "capsize", "monte_carlo": 0}, "grid": {"energy": [0.2525, 0.253]}}
+    )
+    table = store.to_pandas()
+    rows = store.sql(query)
+    names = [f"fraction_{i}_{j}_{n}" for i in (1, 2) for j in (1, 2) for n in (1, 2, 3, 4)]
+    assert len(rows) == 2 * len(names) and {row[0] for row in rows} == {0.2525, 0.253}
+    for (energy, crossing, fraction, error), name in zip(rows, names * 2):
+        columns = table[table["total_energy"] == energy]
+        assert (columns[name].item(), columns[name + "_error"].item()) == (fraction, error) and name.endswith(f"_{crossing:g}")

@@ -142,3 +142,29 @@ def test_handler_is_put_back():
     with pytest.raises(KeyboardInterrupt):
         os.kill(os.getpid(), signal.SIGINT)
         time.sleep(1)
+
+
+@pytest.mark.parametrize(
+    ("call", "error", "message"),
+    [
+        (lambda: lober.levels("capsize", grid=8000), TypeError, "grid has to be two numbers, not 8000"),
+        (lambda: lober.levels("capsize", box=3), TypeError, "box has to be numbers, not 3"),
+        (lambda: lober.fixed_point("henon", 3), TypeError, "near has to be two numbers, not 3"),
+        (lambda: lober.fixed_point("henon", (1, 2, 3)), lober.UsageError, r"near has to be two numbers, not \(1, 2, 3\)"),
+        (lambda: lober.fixed_point("henon", ("a", 2)), lober.UsageError, "near has to be a number, not the text 'a'"),
+        (lambda: own_flow((0, 0, 1)), lober.UsageError, r"window has to be the four numbers x0, y0, x1, y1, not \(0, 0, 1\)"),
+        (lambda: own_flow(3), TypeError, "window has to be the four numbers x0, y0, x1, y1, not 3"),
+        (lambda: own_map((0, 0, 1)), lober.UsageError, "window has to be the four numbers x0, y0, x1, y1"),
+    ],
+)
+def test_numbers_that_are_too_few_are_named(call, error, message):
+    with pytest.raises(error, match=message):
+        call()
+
+
+def own_flow(window):
+    return lober.flow(lambda x, y, t: (y, -x), period=1, window=window)()
+
+
+def own_map(window):
+    return lober.map(lambda x, y: (y, -x), inverse=lambda x, y: (-y, x), window=window)()

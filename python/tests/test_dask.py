@@ -442,6 +442,48 @@ def test_command(cluster, tmp_path):
     assert exported(lober.batch.open(tmp_path / "broken")) == expected(manifest)
 
 
+def longitudes(folder: Path) -> Path:
+    """A box in longitudes from -180 to 180, one in those from 0 to 360, and some across the date line."""
+    ends = {"west": (-170, -166), "east": (191, 195), **{f"line{k}": (178, -178) for k in range(12)}}
+    for name, (w, e) in ends.items():
+        (folder / name).write_text(f"lon,lat\n{w},10\n{e},10\n{e},14\n{w},14\n")
+    (folder / "job.toml").write_text('operation = "overlay"\ncurves = ["west", "east", "line*"]\npairs = "all"\n')
+    return folder / "job.toml"
+
+
+def test_warnings_arrive(cluster, tmp_path, monkeypatch):
+    cluster.start_workers(2)
+    manifest = longitudes(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    with cluster.client(2) as client:
+        for given in (manifest, "job.toml"):
+            with pytest.warns(UserWarning) as warned:
+                one = lober.batch.run(given, tmp_path / "one")
+            assert len(warned) == len(one.report.warnings) == 13, one.report.warnings
+            assert any("line3: its segment 0 runs back across the whole map" in line for line in one.report.warnings)
+            assert any("those of east from 191 to 195" in line for line in one.report.warnings)
+            for scatter in (False, True):
+                with pytest.warns(UserWarning) as warned:
+                    many = lober.batch.run(given, tmp_path / f"many{scatter}", client=client, scatter=scatter)
+                assert many.report.warnings == one.report.warnings
+                assert [str(line.message) for line in warned] == one.report.warnings
+                (tmp_path / f"many{scatter}").unlink()
+            (tmp_path / "one").unlink()
+        # Those of the jobs that run, and no others.
+        with pytest.warns(UserWarning, match="those of east"):
+            again = lober.batch.run(manifest, tmp_path / "again", client=client, shard=(1, 91))
+        assert again.report.run == len(again.report.warnings) == 1
+    run = command("job.toml", "--scheduler", cluster.address, "--quiet")
+    out, err = run.communicate()
+    assert run.returncode == 0 and out.startswith("91 jobs: 0 done before, 91 run, 0 failed\n")
+    # The program's own lines, and no others.
+    assert err == "".join(f"lober-dask: {line}\n" for line in one.report.warnings)
+    for k in range(12, 30):
+        (tmp_path / f"line{k}").write_text((tmp_path / "line3").read_text().replace("14", f"{k}"))
+    err = command("job.toml", "--scheduler", cluster.address, "--quiet").communicate()[1]
+    assert err.count("\n") == 21 and err.endswith("lober-dask: and 10 more such lines\n"), err
+
+
 @pytest.mark.parametrize("two", [False, True])
 def test_overlap_matrix(cluster, two):
     cluster.start_workers(2)

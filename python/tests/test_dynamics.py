@@ -211,6 +211,16 @@ def test_escape():
     assert len(known) and ((known["fraction"] >= 0) & (known["fraction"] <= 1)).all()
     entry = r.bottlenecks[0]
     assert abs(lober.area(entry.entry[0])) == pytest.approx(entry.area.value, rel=1e-3)
+    two = lober.escape("capsize", crossings=2, tolerance=1e-4, monte_carlo=0)
+    assert two.survival["crossings"].tolist() == [1, 2, 1, 2] and two.survival["entry"].tolist() == [0, 0, 1, 1]
+    for row in two.survival:
+        of_entry = two.table[(two.table["entry"] == row["entry"]) & (two.table["crossings"] <= row["crossings"])]
+        left = [of_entry["fraction"][of_entry["exit"] == k].sum() for k in range(2)]
+        assert row["left"] == pytest.approx(left, abs=1e-15) and row["remains"] == pytest.approx(1 - sum(left), abs=1e-15)
+    assert two.survival["remains"].min() < 0.9
+    assert pickle.loads(pickle.dumps(two)).survival.tobytes() == two.survival.tobytes()
+    with pytest.raises(ValueError, match="read-only"):
+        two.survival["remains"] = 0
     with pytest.raises(lober.UsageError, match="is a map"):
         lober.escape("standard", energy=1)
     with pytest.raises(lober.UsageError, match="two degrees of freedom"):

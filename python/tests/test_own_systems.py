@@ -344,6 +344,34 @@ def test_sweeps_of_families():
         lober.sweep(by_sympy, range="k=0:1:1", **branches)
 
 
+def test_melnikov_asks_for_many_points_at_once():
+    """A call of a Python function costs as much as a thousand points: it is not called for each of them."""
+    calls = {}
+
+    def velocity(x, y, t, eps):
+        calls[np.size(x)] = calls.get(np.size(x), 0) + 1
+        return y, -np.sin(x) + eps * np.cos(t)
+
+    def energy(x, y, t, eps):
+        return y * y / 2 - np.cos(x) - eps * x * np.cos(t)
+
+    known = lober.system("pendulum").connection
+    branches = dict(from_=known.from_saddle, to=known.to_saddle, u_direction=known.u_direction, s_direction=known.s_direction)
+    own = lober.flow(
+        velocity, period=2 * np.pi, params={"eps": 0.1}, hamiltonian=energy, window=(-3.2, -3, 3.2, 3), lattice=(2 * np.pi, 0)
+    )
+    counts, rows = [], []
+    for melnikov in (False, True):
+        calls.clear()
+        rows.append(lober.sweep(own, range="eps=0.05:0.05:1", tolerance=1e-4, melnikov=melnikov, **branches).rows)
+        counts.append(dict(calls))
+    built = lober.sweep("pendulum", range="eps=0.05:0.05:1", tolerance=1e-4, melnikov=True, **branches)
+    np.testing.assert_allclose(rows[1].first_order, built.rows.first_order, rtol=1e-12)
+    # 155 000 calls, one for each point, before.
+    assert sum(counts[1].values()) - sum(counts[0].values()) < 40_000, counts
+    assert max(counts[1]) > 100 and sum(count for size, count in counts[1].items() if size > 100) > 500
+
+
 def test_sweeps_note_values_without_a_system():
     def between(eps):
         if eps > 0.07:

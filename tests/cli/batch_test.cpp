@@ -95,7 +95,11 @@ TEST_F(Batch, CheckListsTheFirstSettingsOfAGrid) {
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_LT(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 20) << outcome.out;
   EXPECT_NE(outcome.out.find("and 40 more settings"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("jobs without curves are counted with"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("the time of escapes is judged by "), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.out.find("jobs without curves are counted with"), std::string::npos) << outcome.out;
+  write("job.toml", "operation = \"transport\"\noptions = { system = \"standard\" }\n");
+  const Outcome usual = run({"batch", "check", "job.toml"});
+  EXPECT_NE(usual.out.find("jobs without curves are counted with"), std::string::npos) << usual.out;
 }
 
 TEST_F(Batch, OperationsAreListedWithTheirOptions) {

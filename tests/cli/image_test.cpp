@@ -126,6 +126,11 @@ TEST_F(ImageProgram, SaysWhereTheToleranceDoesNotHold) {
   const Json few =
       image({"henon", "--rectangle", "-3,-3,3,3", "--iterates", "0:2", "--tolerance", "1e-3", "--max-points", "20"});
   EXPECT_EQ(few["images"].back()["complete"], false);
+  const Outcome limited = run({"image", "henon", "--rectangle", "-3,-3,3,3", "--iterates", "0:2", "--tolerance", "1e-3",
+                               "--max-points", "20", "--json", "-"});
+  EXPECT_EQ(limited.status, 0);
+  EXPECT_NE(limited.err.find("max_points allows no more; give a larger max_points\n"), std::string::npos)
+      << limited.err;
 }
 
 TEST_F(ImageProgram, HasTheSameBytesForAnyNumberOfThreads) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 
 #include "lober/curve/files.hpp"
 #include "tests/cli/program.hpp"
@@ -180,6 +181,23 @@ TEST_F(TransportCommand, NegativeKicksAreHalfAPeriodFarther) {
   const nlohmann::json plus = json({"standard", "--iterates", "2", "--tolerance", "1e-4"});
   const nlohmann::json minus = json({"standard", "--param", "K=-1.2", "--iterates", "2", "--tolerance", "1e-4"});
   EXPECT_NEAR(minus["turnstile"]["flux12"].get<double>(), plus["turnstile"]["flux12"].get<double>(), 1e-6);
+}
+
+// One word in the row of a value that failed, and each reason once below the table.
+TEST_F(TransportCommand, SweepSaysWhyValuesFailedBelowTheTable) {
+  const Outcome outcome = transport({"henon", "--sweep", "k=-3:0.5:1.25", "--tolerance", "1e-4"});
+  EXPECT_EQ(outcome.status, 1);
+  std::istringstream lines(outcome.out);
+  std::vector<std::string> failed, reasons;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.ends_with(" failed")) failed.push_back(line);
+    if (line.starts_with("failed at k = ")) reasons.push_back(line);
+    EXPECT_TRUE(line.starts_with("failed at") || line.size() < 170) << line;
+  }
+  EXPECT_EQ(failed, (std::vector<std::string>{"        -3 failed", "     -1.75 failed"})) << outcome.out;
+  ASSERT_EQ(reasons.size(), 1U) << outcome.out;
+  EXPECT_TRUE(reasons[0].starts_with("failed at k = -3 and 1 more: system henon has no tangle")) << reasons[0];
+  EXPECT_LT(outcome.out.find("      -0.5 "), outcome.out.find(reasons[0]));
 }
 
 TEST_F(TransportCommand, SweepKeepsWhatWorks) {

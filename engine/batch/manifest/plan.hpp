@@ -51,7 +51,7 @@ struct Plan {
 /// is a guess.
 [[nodiscard]] std::vector<std::size_t> estimated_points(const Plan& plan, const std::string& manifest_path);
 
-/// The amount of work, before anything was read.
+/// The amount of work, before anything was read or, but for pilots, computed.
 struct Estimate {
   std::size_t jobs = 0, curves = 0, files = 0;
   std::size_t computed = 0;          ///< units that are no files: their points are a guess
@@ -59,7 +59,9 @@ struct Estimate {
   std::uint64_t points_in_jobs = 0;  ///< each as often as it is used
   std::size_t memory = 0;            ///< bytes of all curves with their indexes
   double core_seconds = 0;           ///< seconds of one core, reading included
+  std::size_t pilots = 0;            ///< short jobs that were run to see how long jobs take
 };
+/// At once, but for some seconds at most that pilots take (pilots.hpp).
 [[nodiscard]] Estimate estimate(const Plan& plan, const std::string& manifest_path);
 
 }  // namespace lober::detail

@@ -3,7 +3,9 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "engine/batch/manifest/pilots.hpp"
 #include "engine/batch/manifest/plan.hpp"
+#include "engine/batch/operations/operation.hpp"
 
 namespace lober::detail {
 
@@ -66,8 +68,12 @@ Estimate estimate(const Plan& plan, const std::string& manifest_path) {
     std::size_t together = 0;
     for (const CurveId id : job.curves()) together += points[id];
     sum.points_in_jobs += together;
-    sum.core_seconds += 1e-6 * plan.group_of(job).operation->cost(together);
+    const Operation& operation = *plan.group_of(job).operation;
+    if (!operation.pilot) sum.core_seconds += 1e-6 * operation.cost(together);
   }
+  const Piloted piloted = run_pilots(plan);
+  sum.pilots = piloted.run;
+  sum.core_seconds = std::accumulate(piloted.seconds.begin(), piloted.seconds.end(), sum.core_seconds);
   return sum;
 }
 

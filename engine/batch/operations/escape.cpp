@@ -1,4 +1,5 @@
 // `escape`: the table of escape from a potential well. No curves.
+#include <algorithm>
 #include <cmath>
 
 #include "engine/base/text.hpp"
@@ -43,6 +44,31 @@ std::vector<std::pair<Column, double>> fractions(const Result& result) {
   return columns;
 }
 
+// Seconds that following a trajectory over a crossing takes, of one core; those of a table whose work is at its limit,
+// for each evaluation of the vector field that the limit allows.
+constexpr double trajectory_seconds = 1.8e-6, work_seconds = 1.2e-8;
+
+// Curves of a larger tolerance, and no trajectories. Points, and with them time, grow about as the inverse cube root of
+// the tolerance. Where that tolerance does not get as far as was asked for, images wind so much that the table itself
+// will end at its limit.
+Pilot pilot_of(std::span<const OptionSpec> specs, std::size_t known, const Options& options) {
+  constexpr double coarser = 100, coarse = 1e-4;
+  const double tolerance = options.real("tolerance"),
+               pilot_tolerance = std::max(tolerance, std::min(coarser * tolerance, coarse));
+  const auto crossings = static_cast<double>(options.whole("crossings"));
+  const auto trajectories = crossings * static_cast<double>(options.whole("monte_carlo"));
+  const OptionValue* const budget = options.find("budget");
+  const double limit = budget != nullptr ? std::get<double>(*budget) : work_seconds * options.real("max_work");
+  std::vector<OptionSetting> settings(options.settings().begin(), options.settings().end());
+  settings.push_back({"tolerance", pilot_tolerance});
+  settings.push_back({"monte_carlo", std::int64_t{0}});
+  const double factor = crossings > 0 ? std::cbrt(pilot_tolerance / tolerance) : 1;
+  return {Options(specs, settings), [=](double seconds, const Result& result) {
+            const bool whole = !result.failed() && result.values[known] >= crossings;
+            return (whole ? std::min(factor * seconds, limit) : limit) + trajectory_seconds * trajectories;
+          }};
+}
+
 }  // namespace
 
 Operation escape_operation() {
@@ -50,10 +76,17 @@ Operation escape_operation() {
                {{"total_energy", "energy"}, {"known_crossings", "crossings"}},
                {{"n", "table.crossings"}, {"fraction", "table.fraction"}, {"fraction_error", "table.error"}}};
   job.needs_tangle = false;
-  job.microseconds = 5e6;
+  job.microseconds = 5e5;
   job.memory = std::size_t{256} << 20;
   Operation operation = operation_of(operations::named("escape"), job);
   operation.spread = fractions;
+  const auto known =
+      static_cast<std::size_t>(std::find_if(operation.columns.begin(), operation.columns.end(),
+                                            [](const Column& column) { return column.name == "known_crossings"; }) -
+                               operation.columns.begin());
+  operation.pilot = [specs = operation.options, known](const Options& options) {
+    return pilot_of(specs, known, options);
+  };
   return operation;
 }
 

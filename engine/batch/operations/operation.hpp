@@ -41,6 +41,13 @@ class JobCurves {
   const OutputFolder* outputs_;
 };
 
+/// A job without curves that is like another one and takes less time.
+struct Pilot {
+  Options options;
+  /// Seconds of the other job, from the seconds of this one and its result, which has failed where it was broken off.
+  std::function<double(double seconds, const Result& result)> forecast;
+};
+
 /// A program that feeds the queue may bring its own.
 struct Operation {
   std::string name;
@@ -65,6 +72,9 @@ struct Operation {
   std::function<std::string(const Options& options, std::string_view first, std::string_view second)> output = {};
   /// Microseconds on one core for a number of points, roughly: the first term costs most.
   std::function<double(std::size_t points)> cost;
+  /// For operations without curves whose time nobody can tell from their options: a job of a tenth of a second or so
+  /// that can be run instead. May be empty.
+  std::function<Pilot(const Options& options)> pilot = {};
   /// Bytes of the data that it makes of its first curve, roughly, where its options decide that; may be empty.
   std::function<double(const Curve& curve, const Options& options)> result_bytes = {};
   std::size_t memory = 0;  ///< bytes that a job takes beyond the usual ones for that number of points

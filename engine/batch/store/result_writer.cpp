@@ -1,8 +1,9 @@
 #include "engine/batch/store/result_writer.hpp"
 
 #include <chrono>
-#include <ctime>
 #include <new>
+
+#include "engine/base/processor_time.hpp"
 
 namespace lober::detail {
 namespace {
@@ -10,12 +11,6 @@ namespace {
 // A kill loses the results since the last commit: at most this long, or this number of results.
 constexpr std::chrono::milliseconds interval(100);
 constexpr std::size_t many = 4096;
-
-double processor_seconds() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 }  // namespace
 

@@ -32,6 +32,14 @@ class FlowOf final : public Flow {
     field_.velocity(state.data(), result.data(), Forcing(field_, time).numbers);
     return result;
   }
+  void velocities(std::span<const FlowState> states, std::span<const double> times,
+                  std::span<FlowState> found) const override {
+    if constexpr (requires { field_.many(); }) {
+      field_.velocities(states, times, found);
+    } else {
+      Flow::velocities(states, times, found);
+    }
+  }
   [[nodiscard]] FlowMatrix jacobian(const FlowState& state, double time) const override {
     double x[n * (1 + n)], dxdt[n * (1 + n)];
     copy_with_unit_tangents(state, x);

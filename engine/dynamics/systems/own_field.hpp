@@ -9,6 +9,7 @@
 #include <memory>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "engine/dynamics/maps/flow_of.hpp"
 #include "lober/dynamics/vector_field.hpp"
@@ -36,6 +37,24 @@ class OwnField {
   void velocity(const double* x, double* dxdt, const double* force) const {
     const double t = time(force);
     field_->velocities(1, x, &t, dxdt);
+  }
+  /// As Flow::velocities, by calls for some thousand points.
+  void velocities(std::span<const FlowState> states, std::span<const double> times, std::span<FlowState> found) const {
+    constexpr std::size_t max_points = 8192;
+    std::vector<double> from, to;
+    for (std::size_t begin = 0; begin < states.size(); begin += max_points) {
+      const std::size_t count = std::min(max_points, states.size() - begin);
+      from.resize(N * count);
+      to.resize(N * count);
+      for (std::size_t k = 0; k < count; ++k) {
+        for (std::size_t i = 0; i < N; ++i) from[i * count + k] = states[begin + k][i];
+      }
+      field_->velocities(count, from.data(), times.data() + begin, to.data());
+      for (std::size_t k = 0; k < count; ++k) {
+        found[begin + k] = {};
+        for (std::size_t i = 0; i < N; ++i) found[begin + k][i] = to[i * count + k];
+      }
+    }
   }
   /// The velocities at several points.
   template <int elements, InstructionSet isa>

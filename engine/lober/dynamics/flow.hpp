@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -92,6 +93,12 @@ class LOBER_API Flow {
   [[nodiscard]] virtual double period() const = 0;
   /// The velocity at a state and a time.
   [[nodiscard]] virtual FlowState velocity(const FlowState& state, double time) const = 0;
+  /// The velocities at states, each at its own time: the bits of `velocity`, at once where a call of a field of one's
+  /// own costs much (VectorField::batch). The three spans have one length.
+  virtual void velocities(std::span<const FlowState> states, std::span<const double> times,
+                          std::span<FlowState> found) const {
+    for (std::size_t k = 0; k < states.size(); ++k) found[k] = velocity(states[k], times[k]);
+  }
   /// d(velocity)/d(state).
   [[nodiscard]] virtual FlowMatrix jacobian(const FlowState& state, double time) const = 0;
   /// Empty when the flow is not Hamiltonian.

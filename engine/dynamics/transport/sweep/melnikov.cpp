@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "kernels/point.hpp"
 #include "lober/base/error.hpp"
@@ -37,15 +39,21 @@ class Perturbation {
       below_[k] = family(-eps);
     }
   }
-  [[nodiscard]] Point operator()(const FlowState& state, double time) const {
+  /// At many states, each at its own time: a call of a field of one's own may cost as much as thousands of points.
+  [[nodiscard]] std::vector<Point> operator()(std::span<const FlowState> states, std::span<const double> times) const {
     constexpr std::array<double, 3> weights{45.0 / 60, -9.0 / 60, 1.0 / 60};
-    Point sum{};
+    std::vector<Point> sums(states.size());
+    std::vector<FlowState> above(states.size()), below(states.size());
     for (std::size_t k = 0; k < 3; ++k) {
-      const FlowState a = above_[k]->velocity(state, time), b = below_[k]->velocity(state, time);
-      sum.x += weights[k] * (a[0] - b[0]);
-      sum.y += weights[k] * (a[1] - b[1]);
+      above_[k]->velocities(states, times, above);
+      below_[k]->velocities(states, times, below);
+      for (std::size_t i = 0; i < states.size(); ++i) {
+        sums[i].x += weights[k] * (above[i][0] - below[i][0]);
+        sums[i].y += weights[k] * (above[i][1] - below[i][1]);
+      }
     }
-    return {sum.x / step, sum.y / step};
+    for (Point& sum : sums) sum = {sum.x / step, sum.y / step};
+    return sums;
   }
 
  private:
@@ -81,9 +89,14 @@ double nearest(const LocalBranch& branch, Point point) {
   return s;
 }
 
-struct QuadratureNode {
-  double t;
-  Point at, velocity;
+struct QuadratureNodes {
+  std::vector<double> times;
+  std::vector<FlowState> states, velocities;
+
+  void add(double t, Point at) {
+    times.push_back(t);
+    states.push_back({at.x, at.y});
+  }
 };
 
 // Points of the connecting orbit at times k h, from where f is nothing to where it is nothing again; t = 0 where U's
@@ -93,13 +106,21 @@ class ConnectingTrajectory {
   ConnectingTrajectory(const Flow& flow, const LocalBranch& u, const LocalBranch& s, const IntegrationOptions& options)
       : flow_(flow), u_(u), s_(s), options_(options.finer()) {}
 
-  [[nodiscard]] std::vector<QuadratureNode> nodes(double h) {
-    std::vector<QuadratureNode> list;
-    const auto add = [&](double t, Point at) { list.push_back({t, at, as_point(flow_.velocity({at.x, at.y}, 0))}); };
+  [[nodiscard]] QuadratureNodes nodes(double h) {
+    QuadratureNodes list;
+    add_points(list, h);
+    list.velocities.resize(list.states.size());
+    flow_.velocities(list.states, std::vector<double>(list.states.size(), 0), list.velocities);
+    return list;
+  }
+  [[nodiscard]] double gap() const { return gap_; }
+
+ private:
+  void add_points(QuadratureNodes& list, double h) {
     const auto back = static_cast<long>(-elementary::log(least_departure) / (u_.rate * h));
     for (long k = -back; k < 0; ++k) {
       const double t = static_cast<double>(k) * h;
-      add(t, u_.at(u_.local.reach * elementary::exp(u_.rate * t)));
+      list.add(t, u_.at(u_.local.reach * elementary::exp(u_.rate * t)));
     }
     const Point begin = u_.at(u_.local.reach);
     std::array<FlowState, 1> state{FlowState{begin.x, begin.y}};
@@ -118,18 +139,16 @@ class ConnectingTrajectory {
           const auto forward = static_cast<long>(-elementary::log(least_departure) / (s_.rate * h));
           for (long j = 0; j < forward; ++j) {
             const double later = static_cast<double>(j) * h;
-            add(t + later, s_.at(s * elementary::exp(-s_.rate * later)));
+            list.add(t + later, s_.at(s * elementary::exp(-s_.rate * later)));
           }
-          return list;
+          return;
         }
       }
-      add(t, at);
+      list.add(t, at);
       flow_.integrate(state, 0, h, options_);
     }
   }
-  [[nodiscard]] double gap() const { return gap_; }
 
- private:
   const Flow& flow_;
   const LocalBranch &u_, &s_;
   IntegrationOptions options_;
@@ -137,15 +156,15 @@ class ConnectingTrajectory {
 };
 
 // M at j T / samples, by the trapezoidal rule.
-std::vector<double> samples_of(const std::vector<QuadratureNode>& nodes, double h, const Perturbation& g, double period,
+std::vector<double> samples_of(const QuadratureNodes& nodes, double h, const Perturbation& g, double period,
                                std::size_t samples) {
-  std::vector<double> values(samples);
+  std::vector<double> values(samples), times(nodes.times.size());
   for (std::size_t j = 0; j < samples; ++j) {
     const double t0 = period * static_cast<double>(j) / static_cast<double>(samples);
     double sum = 0;
-    for (const QuadratureNode& node : nodes) {
-      sum += cross(node.velocity, g({node.at.x, node.at.y}, std::fmod(node.t + t0, period)));
-    }
+    for (std::size_t k = 0; k < times.size(); ++k) times[k] = std::fmod(nodes.times[k] + t0, period);
+    const std::vector<Point> perturbations = g(nodes.states, times);
+    for (std::size_t k = 0; k < times.size(); ++k) sum += cross(as_point(nodes.velocities[k]), perturbations[k]);
     values[j] = h * sum;
   }
   return values;
@@ -298,11 +317,12 @@ Melnikov melnikov(const FlowFamily& family, const Connection& connection, const 
     if (round > 1 && difference >= change) break;  // rounding
     change = difference;
   }
-  const std::vector<QuadratureNode> nodes = orbit.nodes(h);
+  const QuadratureNodes nodes = orbit.nodes(h);
   // Rounding alone: what cancels in the sums.
   double size = 0;
-  for (const QuadratureNode& node : nodes)
-    size += h * length(node.velocity) * length(g({node.at.x, node.at.y}, node.t));
+  const std::vector<Point> perturbations = g(nodes.states, nodes.times);
+  for (std::size_t k = 0; k < perturbations.size(); ++k)
+    size += h * length(as_point(nodes.velocities[k])) * length(perturbations[k]);
   for (;; samples *= 2) {
     expand(values, result);
     const std::size_t n = result.cosines.size();
