@@ -14,18 +14,22 @@ function steps(values) {
   return all.every((value) => typeof value === "number") ? all.sort((a, b) => a - b) : all;
 }
 
-// Cells { x, y, value } as a grid: the steps of both axes, the range of values, and the cell of a column and row.
+// Cells { x, y, value } as a grid: the steps of both axes, the range of values, and the cell of a column and row. Of cells at
+// the same column and row the first is seen; `hidden` is the number of others.
 export function gridOf(cells) {
   const columns = steps(cells.map(({ x }) => x)), rows = steps(cells.map(({ y }) => y));
   const column = new Map(columns.map((x, k) => [x, k])), row = new Map(rows.map((y, k) => [y, k]));
+  const at = new Map();
   let low = Infinity, high = -Infinity;
-  for (const { value } of cells) {
-    if (!Number.isFinite(value)) continue;
-    low = Math.min(low, value);
-    high = Math.max(high, value);
+  for (const cell of cells) {
+    const key = column.get(cell.x) + row.get(cell.y) * columns.length;
+    if (at.has(key)) continue;
+    at.set(key, cell);
+    if (!Number.isFinite(cell.value)) continue;
+    low = Math.min(low, cell.value);
+    high = Math.max(high, cell.value);
   }
-  const at = new Map(cells.map((cell) => [column.get(cell.x) + row.get(cell.y) * columns.length, cell]));
-  return { columns, rows, low, high, at: (c, r) => at.get(c + r * columns.length) };
+  return { columns, rows, low, high, hidden: cells.length - at.size, at: (c, r) => at.get(c + r * columns.length) };
 }
 
 const LEFT = 52, BOTTOM = 20; // pixels of the labels
