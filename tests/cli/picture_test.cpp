@@ -8,6 +8,8 @@
 #include "cli/picture/conversion.hpp"
 #include "cli/picture/figure_svg.hpp"
 #include "cli/picture/panels.hpp"
+#include "cli/picture/rich_text.hpp"
+#include "cli/picture/system_figure.hpp"
 #include "cli/picture/ticks.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/paths.hpp"
@@ -72,6 +74,79 @@ TEST(FigureSvg, SaysPowersOfTenAndCategories) {
   EXPECT_NE(svg.find("second"), std::string::npos);
   EXPECT_EQ(svg.find("third"), std::string::npos);  // beyond the window
   EXPECT_NE(svg.find(">10<"), std::string::npos);   // with a superscript behind it
+}
+
+// Long texts are set smaller, broken, then cut; none is smaller than can be read or wider than the picture.
+TEST(FigureSvg, BreaksAndCutsLongTexts) {
+  const auto sizes_at_least = [](const std::string& svg, double least) {
+    for (std::size_t at = svg.find("font-size=\""); at != std::string::npos; at = svg.find("font-size=\"", at + 1)) {
+      EXPECT_GE(std::stod(svg.substr(at + 11)), least) << svg.substr(at, 100);
+    }
+  };
+  Figure figure;
+  figure.title = "title";
+  figure.window = {0, 0, 1, 1};
+  figure.x = {"a displacement of the pendulum from its position of rest, along the longer of both axes", "m"};
+  figure.y = figure.x;
+  std::string svg = figure_svg(figure, {});
+  sizes_at_least(svg, min_text_size);
+  EXPECT_NE(svg.find("axes (m)<"), std::string::npos) << "the unit is in the second line";
+  EXPECT_EQ(svg.find("\u2026"), std::string::npos);
+  const std::string word(10'000, 'w');
+  figure.title = figure.x.name = word;
+  figure.layers.push_back(line_layer("line", word, palette::ink));
+  svg = figure_svg(figure, {});
+  sizes_at_least(svg, min_text_size);
+  EXPECT_NE(svg.find("<title>" + word + "</title>"), std::string::npos);
+  std::size_t longest = 0;
+  for (std::size_t at = svg.find('w'), end; at != std::string::npos; at = svg.find('w', end)) {
+    end = std::min(svg.find_first_not_of('w', at), svg.size());
+    if (svg.compare(end, 8, "</title>") != 0 && svg.compare(end, 5, " (m)<") != 0)
+      longest = std::max(longest, end - at);
+  }
+  EXPECT_LE(static_cast<double>(longest) * text_width("w", min_text_size), 241);
+  EXPECT_LT(std::stod(svg.substr(svg.find("height=\"") + 8)), 120);  // mm
+}
+
+// A text is never cut within a character or a subscript.
+TEST(RichText, IsWrappedBetweenLetters) {
+  const std::string text = "\u03b1\u03b2\u03b3L_{12}(1) and more";
+  for (double width = 1; width < 120; width += 3) {
+    std::string all;
+    for (const std::string& line : wrapped(text, 7, width, 100)) {
+      EXPECT_TRUE(text_width(line, 7) <= width || text_width(line, 7) < 12) << line;  // one letter, or a subscript
+      EXPECT_NE(static_cast<unsigned char>(line[0]) & 0xC0U, 0x80U) << line;
+      EXPECT_EQ(line.find("_{") == std::string::npos, line.find('}') == std::string::npos) << line;
+      all += line;
+    }
+    std::string letters = text;
+    std::erase(letters, ' ');
+    std::erase(all, ' ');
+    EXPECT_EQ(all, letters);
+    const std::vector<std::string> one = wrapped(text, 7, width, 1);
+    ASSERT_EQ(one.size(), 1);
+    EXPECT_EQ(one[0] == text, whole_of_cut(one, text).empty());
+  }
+}
+
+// The coordinates that a summary names, with units; nothing of other sentences.
+TEST(SystemFigure, NamesAxesBySummary) {
+  const auto names = [](const char* summary) {
+    System system;
+    system.info.summary = summary;
+    Figure figure;
+    name_axes(figure, system);
+    return figure.x.name + "|" + figure.x.unit + "|" + figure.y.name + "|" + figure.y.unit;
+  };
+  EXPECT_EQ(names("Standard map; plane (x, p)"), "x||p|");
+  EXPECT_EQ(names("Pendulum x'' = -sin x; period map in (x, x')"), "x||x'|");
+  EXPECT_EQ(names("Proton in a trap; map in (position (um), momentum [kg m/s])"), "position|um|momentum|kg m/s");
+  EXPECT_EQ(names("Eddies in the plane (longitude [degrees], latitude [degrees]), daily"),
+            "longitude|degrees|latitude|degrees");
+  EXPECT_EQ(names("Map (x, y) -> (y, x)"), "x||y|");
+  EXPECT_EQ(names("As in (Meiss, 1992)"), "x||y|");
+  EXPECT_EQ(names("Defined in (f(x, y), g"), "x||y|");
+  EXPECT_EQ(names("Flow in (x, y, z)"), "x||y|");
 }
 
 // The legend explains only parts that the window shows.
@@ -193,6 +268,10 @@ TEST_F(PictureProgram, RefusesAnInsetThatIsNotInTheWindow) {
             std::string::npos)
       << outside.err;
   EXPECT_FALSE(exists("p.svg"));
+  EXPECT_NE(outside.err.find("p.svg is not written"), std::string::npos) << outside.err;
+  EXPECT_NE(outside.out.find("crossings"), std::string::npos) << "what was computed is not lost";
+  EXPECT_EQ(with({"--inset", "50,50,60,60", "--json", "kept.json"}).status, 2);
+  EXPECT_EQ(Json::parse(read("kept.json"))["crossings"].size(), 6);
   const Outcome beyond = with({"--inset", "4,-1,9,1", "--window", "0,-2,6,2"});
   EXPECT_EQ(beyond.status, 2);
   EXPECT_NE(beyond.err.find("reaches beyond the part of the plane that the picture shows, 0,-2,6,2"), std::string::npos)
