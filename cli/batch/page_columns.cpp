@@ -11,6 +11,7 @@
 #include "cli/batch/job_values.hpp"
 #include "engine/base/append_text.hpp"
 #include "engine/base/json_text.hpp"
+#include "engine/base/utf8.hpp"
 #include "engine/batch/export/export.hpp"
 
 namespace lober::cli {
@@ -117,7 +118,7 @@ class Columns {
         continue;
       }
       const auto [found, is_new] = numbers.try_emplace(one, numbers.size());
-      if (is_new) append_all(texts, texts.empty() ? "" : ",", json_string(one));
+      if (is_new) append_all(texts, texts.empty() ? "" : ",", json_string(detail::as_utf8(one)));
       append(at, found->second);
     }
     if (numbers.size() < min_texts) return;

@@ -8,6 +8,7 @@
 #include "cli/picture/layers_svg.hpp"
 #include "cli/picture/legend.hpp"
 #include "cli/picture/rich_text.hpp"
+#include "cli/program/log.hpp"
 #include "cli/report/text.hpp"
 
 namespace lober::cli {
@@ -79,7 +80,7 @@ Layout layout_of(const Figure& figure, const FigureStyle& style, const Rectangle
     left = picture_border + layout.y_name.further_height() + name_size + 5 + widest(layout.up, tick_size) + 4;
   }
   layout.legend_top = layout.plot.bottom() + below_plot + 3;
-  layout.height = style.height ? *style.height * points_in_mm : layout.plot.bottom() + below;
+  layout.height = std::max(style.height.value_or(0) * points_in_mm, layout.plot.bottom() + below);
   return layout;
 }
 
@@ -170,7 +171,12 @@ std::string svg_document(const std::string& title, const DrawnFigure& drawn) {
 }
 
 std::string figure_svg(const Figure& figure, const FigureStyle& style) {
-  return svg_document(figure.what, draw_figure(figure, style, "plot"));
+  const DrawnFigure drawn = draw_figure(figure, style, "plot");
+  if (style.height && drawn.height > *style.height * points_in_mm + 0.01) {
+    log_warning("--size: the picture is " + std::to_string(std::lround(drawn.height / points_in_mm)) +
+                " mm high, as its texts leave no room for less; see --no-title and --no-legend");
+  }
+  return svg_document(figure.what, drawn);
 }
 
 }  // namespace lober::cli

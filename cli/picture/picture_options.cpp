@@ -1,6 +1,7 @@
 #include "cli/picture/picture_options.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "cli/picture/conversion.hpp"
 #include "cli/picture/figure_data.hpp"
@@ -20,6 +21,9 @@ constexpr std::size_t max_named = 30;
 constexpr double png_resolution = 400;  // pixels an inch
 
 Rectangle corners(const char* option, const std::vector<double>& values) {
+  if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); })) {
+    throw UsageError(std::string(option) + ": the corners have to be finite");
+  }
   if (!(values[0] < values[2] && values[1] < values[3])) {
     throw UsageError(std::string(option) + ": the corners have to have X0 < X1 and Y0 < Y1");
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "cli/report/text.hpp"
+#include "engine/base/utf8.hpp"
 
 namespace lober::cli {
 namespace {
@@ -75,7 +76,7 @@ double hundredth(double value) {
 
 std::string escaped(std::string_view text) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : detail::as_utf8(text)) {
     switch (c) {
       case '&':
         result += "&amp;";

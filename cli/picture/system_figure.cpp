@@ -5,16 +5,28 @@
 #include <charconv>
 
 #include "cli/report/text.hpp"
+#include "engine/base/text.hpp"
 #include "engine/operations/section_edge.hpp"
 #include "lober/curve/drawing.hpp"
 
 namespace lober::cli {
 
+namespace {
+
+// With six digits, or with all where ten letters hold them: energies are chosen close to that of a saddle.
+std::string parameter_text(double value) {
+  constexpr std::size_t max_letters = 10;
+  std::string all = detail::format_number(value);
+  return all.size() <= max_letters ? all : rounded(value);
+}
+
+}  // namespace
+
 std::string system_title(const SystemInfo& system) {
   std::string text = system.name.substr(system.name.rfind('/') + 1);
   const char* separator = ": ";
   for (const Parameter& parameter : system.parameters) {
-    append_all(text, separator, parameter.name, " = ", rounded(parameter.value));
+    append_all(text, separator, parameter.name, " = ", parameter_text(parameter.value));
     separator = ", ";
   }
   return text;

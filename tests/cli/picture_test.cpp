@@ -108,6 +108,27 @@ TEST(FigureSvg, BreaksAndCutsLongTexts) {
   EXPECT_LT(std::stod(svg.substr(svg.find("height=\"") + 8)), 120);  // mm
 }
 
+// A height that texts do not leave room for is exceeded; nothing is cut off.
+TEST(FigureSvg, IsAsHighAsItsTexts) {
+  Figure figure;
+  figure.window = {0, 0, 1, 1};
+  for (const char* const text : {"one", "two", "three"}) {
+    figure.layers.push_back(line_layer(text, std::string(text) + " and so on, which is long", palette::ink));
+  }
+  const auto height = [&](FigureStyle style) {
+    const std::string svg = figure_svg(figure, style);
+    return std::stod(svg.substr(svg.find("height=\"") + 8));
+  };
+  EXPECT_NEAR(height({.width = 60, .height = 60.0}), 60, 0.01);
+  EXPECT_GT(height({.width = 30, .height = 30.0}), 31);
+  EXPECT_NEAR(height({.width = 30, .height = 30.0, .legend = false}), 30, 0.01);
+}
+
+TEST(Ticks, SayPowersOfOffsetsAsOneFactor) {
+  EXPECT_EQ(ticks_between(1e12 - 1, 1e12 + 1, 5, false).offset, "\u2212 10^{12}");
+  EXPECT_EQ(ticks_between(3e12 - 1, 3e12 + 1, 5, false).offset, "\u2212 3\u00b710^{12}");
+}
+
 // A text is never cut within a character or a subscript.
 TEST(RichText, IsWrappedBetweenLetters) {
   const std::string text = "\u03b1\u03b2\u03b3L_{12}(1) and more";
@@ -277,6 +298,13 @@ TEST_F(PictureProgram, RefusesAnInsetThatIsNotInTheWindow) {
   EXPECT_NE(beyond.err.find("reaches beyond the part of the plane that the picture shows, 0,-2,6,2"), std::string::npos)
       << beyond.err;
   EXPECT_EQ(with({"--inset", "4,-1,6,1", "--window", "0,-2,6,2"}).status, 0);
+  for (const char* const option : {"--window", "--inset"}) {
+    const Outcome infinite = with({option, "-inf,0,1,inf"});
+    EXPECT_EQ(infinite.status, 2);
+    EXPECT_NE(infinite.err.find("have to be finite"), std::string::npos) << infinite.err;
+  }
+  ASSERT_EQ(with({"--title", "caf\xe9 \x01 <&>"}).status, 0);
+  EXPECT_NE(read("p.svg").find("caf\u00e9   &lt;&amp;&gt;"), std::string::npos) << "bytes that are not UTF-8";
   const Outcome nothing = with({"--window", "100,100,101,101"});
   EXPECT_EQ(nothing.status, 0);
   EXPECT_NE(nothing.err.find("shows nothing; all is in -1"), std::string::npos) << nothing.err;
