@@ -209,8 +209,7 @@ Figure sweep_figure(const SweepReport& report) {
   }
   for (const SweepZero& zero : report.result().zeros) {
     figure.x_marks.push_back(zero.value);
-    figure.notes.push_back("vertical line: W(q) \u2212 W(q') changes sign at " + report.result().parameter + " = " +
-                           rounded(zero.value));
+    figure.notes.push_back("vertical line: W(q) = W(q') at " + report.result().parameter + " = " + rounded(zero.value));
   }
   const auto& rows = report.result().rows;
   const auto failed = std::count_if(rows.begin(), rows.end(), [](const SweepRow& row) { return !row.failure.empty(); });

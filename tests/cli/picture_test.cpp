@@ -213,6 +213,20 @@ TEST(FigureSvg, PutsTheInsetWhereThereIsRoom) {
   EXPECT_LT(right_of_inset, left + 0.9 * width);  // left of the line x = 9
 }
 
+// Where the ticks of an inset count from another number than those of the plot, both of its axes say so.
+TEST(FigureSvg, NamesTheAxesOfAnInsetWithOffsets) {
+  Figure figure;
+  figure.layers.push_back(line_layer("line", "", palette::ink));
+  figure.layers.back().lines.push_back({.own = {{0, 0}, {10, 10}}});
+  figure.window = {0, 0, 10, 10};
+  FigureStyle style;
+  style.inset = Rectangle{4.5, 3, 4.5 + 1e-7, 3 + 1e-7};
+  const std::string svg = figure_svg(figure, style);
+  const std::string inset = svg.substr(svg.find("<clipPath id=\"inset\">"));
+  EXPECT_NE(inset.find(">x \u2212 4.5"), std::string::npos) << inset;
+  EXPECT_NE(inset.find(">y \u2212 3"), std::string::npos) << inset;
+}
+
 TEST(PanelsSvg, HasOneLegendAndNamesEachFrame) {
   Figure figure;
   figure.layers.push_back(dot_layer("dots", "the same dots", {{1, 1}}));
