@@ -57,7 +57,8 @@ std::size_t end_of_part(std::string_view text, std::size_t begin) {
   return std::string_view::npos;
 }
 
-// Whether a part of a summary can be the name of a coordinate: one that begins with a letter and is not a sentence.
+// Whether a part of a summary can be the name of a coordinate: one that does not begin with a digit and is not a
+// sentence.
 bool is_name(std::string_view text) {
   constexpr std::size_t max_name = 40, max_blanks = 3;
   return !text.empty() && text.size() <= max_name && (text[0] < '0' || text[0] > '9') &&
@@ -80,6 +81,7 @@ void name_axes_by_summary(Figure& figure, std::string_view summary) {
     if (!is_name(x) || !is_name(y)) continue;
     figure.x = axis_of(std::string(x));
     figure.y = axis_of(std::string(y));
+    if (figure.x.unit != figure.y.unit) figure.plane = false;
     return;
   }
 }
@@ -93,12 +95,12 @@ void name_axes(Figure& figure, const System& system) {
   constexpr std::array<const char*, 4> of_four{"x", "y", "v_{x}", "v_{y}"};
   const auto name = [&](int coordinate) -> std::string {
     const auto k = static_cast<std::size_t>(coordinate);
-    if (k < system.coordinates.size()) return system.coordinates[k];
     if (system.flow->dimension() == 4 && k < 4) return of_four[k];
     return k < 3 ? of_three[k] : "x_{" + std::to_string(k) + "}";
   };
-  figure.x = axis_of(name(system.section->chart_x));
-  figure.y = axis_of(name(system.section->chart_y));
+  figure.x.name = name(system.section->chart_x);
+  figure.y.name = name(system.section->chart_y);
+  if (!system.info.library.empty()) name_axes_by_summary(figure, system.info.summary);
   const auto conjugate = [&](const ConjugatePair& pair) {
     return pair.q == system.section->chart_x && pair.p == system.section->chart_y;
   };

@@ -157,6 +157,7 @@ TEST(SystemFigure, NamesAxesBySummary) {
     system.info.summary = summary;
     Figure figure;
     name_axes(figure, system);
+    EXPECT_EQ(figure.plane, figure.x.unit == figure.y.unit);
     return figure.x.name + "|" + figure.x.unit + "|" + figure.y.name + "|" + figure.y.unit;
   };
   EXPECT_EQ(names("Standard map; plane (x, p)"), "x||p|");
