@@ -132,6 +132,7 @@ int guarded(const std::vector<std::string>& arguments) {
   const CancellationScope cancellation(interrupt_flag());
   try {
     run_program(arguments);
+    end_work();
     end_run(0);
     return 0;
   } catch (const UsageError& error) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/base/append_text.hpp"
+#include "engine/base/utf8.hpp"
 #include "lober/base/version.hpp"
 #include "lober/curve/files.hpp"
 #include "viewer/base64.hpp"
@@ -30,7 +31,7 @@ std::string hash_source(std::string_view text) {
 
 std::string escaped_html(std::string_view text) {
   std::string html;
-  for (const char c : text) {
+  for (const char c : detail::as_utf8(text)) {
     switch (c) {
       case '&':
         html += "&amp;";

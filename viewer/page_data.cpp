@@ -7,6 +7,7 @@
 #include "engine/base/append_text.hpp"
 #include "engine/base/json_text.hpp"
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/base/utf8.hpp"
 #include "engine/files/formats/gzip.hpp"
 #include "lober/base/error.hpp"
 #include "viewer/base64.hpp"
@@ -17,14 +18,18 @@ namespace lober::viewer {
 namespace {
 
 using detail::append_all;
-using detail::json_string;
 
 constexpr std::size_t part_values = 65536;
 constexpr std::size_t tiny_curve = 4096;  // points of curves that are always exact
 
+// Names of files may be any bytes.
+std::string text_json(std::string_view text) {
+  return detail::json_string(detail::as_utf8(text));
+}
+
 std::string list_of(const std::vector<std::string>& texts) {
   std::string json = "[";
-  for (const std::string& text : texts) append_all(json, json.size() > 1 ? ",\n" : "", json_string(text));
+  for (const std::string& text : texts) append_all(json, json.size() > 1 ? ",\n" : "", text_json(text));
   return json + "]";
 }
 
@@ -114,7 +119,7 @@ std::string curve_json(const Line& line, SeriesList& series) {
   }
   std::sort(ends.begin(), ends.end());
   const double step = points.size() <= tiny_curve ? 0 : step_of(points);
-  return "{\"name\":" + json_string(line.name) + ",\"closed\":" + (line.curve.closed ? "true" : "false") + "," +
+  return "{\"name\":" + text_json(line.name) + ",\"closed\":" + (line.curve.closed ? "true" : "false") + "," +
          series.add(points, step, ends) + "}";
 }
 
@@ -143,8 +148,7 @@ std::string areas_json(const Layer& layer, const RunFinder& finder, std::vector<
 std::string columns_json(const Layer& layer, SeriesList& series) {
   std::string json = "[";
   for (const Column& column : layer.columns) {
-    append_all(json, json.size() > 1 ? "," : "", "{\"name\":", json_string(column.name), ",",
-               series.add(column.values));
+    append_all(json, json.size() > 1 ? "," : "", "{\"name\":", text_json(column.name), ",", series.add(column.values));
     if (!column.bar.empty()) append_all(json, ",\"bar\":{", series.add(column.bar), "}");
     json += "}";
   }
@@ -204,11 +208,11 @@ PageData page_data(const Scene& scene, std::size_t max_size) {
   SeriesList series;
   std::vector<Point> pool;
   std::string json =
-      "{\"title\":" + json_string(scene.title) + ",\n\"notes\":" + list_of(scene.notes) + ",\n\"layers\":[";
+      "{\"title\":" + text_json(scene.title) + ",\n\"notes\":" + list_of(scene.notes) + ",\n\"layers\":[";
   for (const Layer& layer : scene.layers) {
     append_all(json, &layer == scene.layers.data() ? "" : ",\n", "{\"kind\":\"", name_of(layer.kind),
-               "\",\"name\":", json_string(layer.name), ",\"one\":", json_string(layer.one),
-               ",\"colour\":", json_string(layer.colour), ",\"width\":", layer.width,
+               "\",\"name\":", text_json(layer.name), ",\"one\":", text_json(layer.one),
+               ",\"colour\":", text_json(layer.colour), ",\"width\":", layer.width,
                ",\"shown\":", layer.shown ? "true" : "false", ",\"iterate\":", layer.iterate_column);
     if (!layer.iterates.empty()) json += iterates_json(layer.iterates);
     if (layer.kind == Layer::Kind::lines) {

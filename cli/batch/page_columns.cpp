@@ -5,11 +5,13 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "cli/batch/job_values.hpp"
 #include "engine/base/append_text.hpp"
 #include "engine/base/json_text.hpp"
+#include "engine/base/utf8.hpp"
 #include "engine/batch/export/export.hpp"
 
 namespace lober::cli {
@@ -23,6 +25,9 @@ class Columns {
  public:
   Columns(const detail::Store& store, const detail::Plan& plan, ExportCounts& counts) : plan_(plan) {
     counts = detail::for_each_result(store, plan, {}, [&](const detail::Result& one) { jobs_.push_back(one); });
+    for (const detail::JobGroup& one : plan.groups) {
+      if (!columns_.contains(one.operation)) columns_.emplace(one.operation, spread(*one.operation));
+    }
   }
 
   std::string json() {
@@ -67,6 +72,22 @@ class Columns {
   [[nodiscard]] const detail::JobGroup& group(std::size_t k) const { return plan_.group_of(job(k)); }
   [[nodiscard]] const detail::Operation& operation(std::size_t k) const { return *group(k).operation; }
 
+  // Gives the results of an operation the values of the columns into which it spreads lists, and returns all columns.
+  std::vector<detail::Column> spread(const detail::Operation& own) {
+    if (!own.spread) return own.columns;
+    std::vector<std::size_t> numbers;
+    for (std::size_t k = 0; k < jobs_.size(); ++k) {
+      if (&operation(k) == &own) numbers.push_back(k);
+    }
+    const detail::SpreadTable table = detail::spread_table(own, [&](const auto& take) {
+      for (const std::size_t k : numbers) take(jobs_[k]);
+    });
+    std::vector<detail::Result> results;
+    table.results([&](const detail::Result& one) { results.push_back(one); });
+    for (std::size_t k = 0; k < numbers.size(); ++k) jobs_[numbers[k]] = std::move(results[k]);
+    return table.operation.columns;
+  }
+
   static void append_number(std::string& text, double value) {
     std::isfinite(value) ? append(text, value) : append(text, "null");
   }
@@ -97,7 +118,7 @@ class Columns {
         continue;
       }
       const auto [found, is_new] = numbers.try_emplace(one, numbers.size());
-      if (is_new) append_all(texts, texts.empty() ? "" : ",", json_string(one));
+      if (is_new) append_all(texts, texts.empty() ? "" : ",", json_string(detail::as_utf8(one)));
       append(at, found->second);
     }
     if (numbers.size() < min_texts) return;
@@ -138,19 +159,20 @@ class Columns {
 
   void add_results() {
     std::vector<std::string> names;
-    std::map<std::string, std::map<const detail::Operation*, std::size_t>> columns;  // by name, for each operation
+    std::map<std::string, std::map<const detail::Operation*, std::size_t>> positions;  // by name, for each operation
     for (const detail::JobGroup& one : plan_.groups) {
-      for (std::size_t column = 0; column < one.operation->columns.size(); ++column) {
-        const std::string& name = one.operation->columns[column].name;
-        if (!columns.contains(name)) names.push_back(name);
-        columns[name][one.operation] = column;
+      const std::vector<detail::Column>& columns = columns_.at(one.operation);
+      for (std::size_t column = 0; column < columns.size(); ++column) {
+        const std::string& name = columns[column].name;
+        if (!positions.contains(name)) names.push_back(name);
+        positions[name][one.operation] = column;
       }
     }
     for (const std::string& name : names) {
-      const auto& places = columns[name];
+      const auto& by_operation = positions[name];
       const auto value = [&](std::size_t k) {
-        const auto at = places.find(&operation(k));
-        return jobs_[k].failed() || at == places.end() ? std::nan("") : jobs_[k].values.at(at->second);
+        const auto at = by_operation.find(&operation(k));
+        return jobs_[k].failed() || at == by_operation.end() ? std::nan("") : jobs_[k].values.at(at->second);
       };
       bool is_known = false;
       for (std::size_t k = 0; k < jobs_.size() && !is_known; ++k) is_known = std::isfinite(value(k));
@@ -159,7 +181,8 @@ class Columns {
   }
 
   const detail::Plan& plan_;
-  std::vector<detail::Result> jobs_;
+  std::vector<detail::Result> jobs_;                                         // with the values of all columns
+  std::map<const detail::Operation*, std::vector<detail::Column>> columns_;  // with those of spread lists
   std::string json_;
 };
 

@@ -95,7 +95,7 @@ void run(const GrowRequest& request) {
     const detail::Stopwatch write_watch;
     if (!request.output.empty()) {
       write_curve_file(request.output, manifold.points,
-                       {.format = request.format, .notes = notes_of("grow", outcome, {}, system_text(*input.system))});
+                       {.format = request.format, .notes = notes_of("grow", outcome, {}, system_note(*input.system))});
     }
     if (request.picture.asked()) {
       const operations::OptionValue* const box = options.find("box");

@@ -31,7 +31,7 @@ CurveFileOptions options_of(const ImageReport& report, const std::string& format
           .closed = report.found().closed && whole,
           .notes = notes_of("image", report.outcome,
                             report.input ? std::vector{note_on(*report.input)} : std::vector<std::string>{},
-                            system_text(*report.system.system)),
+                            system_note(*report.system.system)),
           .zone_lines = ZoneLines::always};
 }
 

@@ -74,7 +74,7 @@ Figure levels_figure(const LevelsReport& report) {
   // Lines through saddles on top of the others.
   for (const bool through : {false, true}) {
     for (const operations::SystemLevel& level : levels) {
-      if (level.saddle.has_value() != through) continue;
+      if (level.saddle.has_value() != through || level.curves.empty()) continue;
       const bool zero_velocity = report.energy && level.value == *report.energy;
       const std::string value = std::string(report.quantity()) + " = " + rounded(level.value);
       const bool plane = report.system.flow->dimension() == 2;

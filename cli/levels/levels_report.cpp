@@ -53,7 +53,7 @@ void write_levels(const std::string& path, const std::string& format, const Leve
   write_curve_file(path, zones,
                    {.format = format,
                     .closed = all_closed,
-                    .notes = notes_of("levels", report.outcome, {}, system_text(report.system)),
+                    .notes = notes_of("levels", report.outcome, {}, system_note(report.system)),
                     .zone_lines = ZoneLines::always});
 }
 

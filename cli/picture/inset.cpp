@@ -80,6 +80,12 @@ Frame source_of(const View& plot, const Rectangle& window) {
   return {frame.x - x / 2, frame.y - y / 2, frame.width + x, frame.height + y};
 }
 
+// Whether the axis is named in an inset too: where its ticks count from another number, or in another unit, than those
+// of the plot.
+bool has_name(const Ticks& ticks) {
+  return ticks.power != 0 || !ticks.offset.empty();
+}
+
 double shared_area(const Frame& a, const Frame& b) {
   const double width = std::min(a.right(), b.right()) - std::max(a.x, b.x);
   const double height = std::min(a.bottom(), b.bottom()) - std::max(a.y, b.y);
@@ -99,8 +105,9 @@ Inset::Inset(const Figure& figure, const View& plot, const Rectangle& window)
     Frame inner = figure.plane ? fitted_frame(window, room) : room;
     const Ticks across = ticks_across(window, inner.width, inset_tick_size, figure.x);
     const Ticks up = ticks_up(window, inner.height, inset_tick_size, figure.y);
-    const double left = widest(up, inset_tick_size) + 6,
-                 below = inset_tick_size + 5 + (across.power != 0 ? inset_tick_size + 2 : 0);
+    const double name = inset_tick_size + 2;
+    const double left = widest(up, inset_tick_size) + 6 + (has_name(up) ? name : 0);
+    const double below = inset_tick_size + 5 + (has_name(across) ? name : 0);
     const double right = std::max(2.0, 0.4 * widest(across, inset_tick_size));
     const double width = inner.width + left + right, height = inner.height + below + 3;
     const double free_x = all.width - width - 2 * inset_gap, free_y = all.height - height - 2 * inset_gap;
@@ -158,9 +165,14 @@ void Inset::draw(std::string& svg) const {
   add_layers(svg, figure_, view, "inset");
   add_labels(svg, figure_, view, nullptr, 0.85);
   add_axes(svg, view, across_, up_, inset_tick_size);
-  if (across_.power != 0 || !across_.offset.empty()) {
-    add_text(svg, inner_.x + 0.5 * inner_.width, outer_.bottom() - 1, axis_text(figure_.x, across_),
-             {.size = inset_tick_size, .anchor = "middle"});
+  const TextStyle style{.size = inset_tick_size, .anchor = "middle"};
+  if (has_name(across_)) {
+    add_text(svg, inner_.x + 0.5 * inner_.width, outer_.bottom() - 1, axis_text(figure_.x, across_), style);
+  }
+  if (has_name(up_)) {
+    TextStyle upward = style;
+    upward.upward = true;
+    add_text(svg, outer_.x + inset_tick_size, inner_.y + 0.5 * inner_.height, axis_text(figure_.y, up_), upward);
   }
 }
 

@@ -11,7 +11,7 @@ namespace lober::cli {
 namespace {
 
 constexpr double font_size = 7, line_step = 8.6, row_gap = 1.4, sample_width = 14, text_indent = 18, column_gap = 10;
-constexpr std::size_t max_columns = 5;
+constexpr std::size_t max_columns = 5, max_lines = 4;
 
 void add_sample(std::string& svg, const Layer& layer) {
   switch (layer.kind) {
@@ -88,11 +88,11 @@ Legend::Legend(const Figure& figure, double width, const Rectangle* window) {
   const double text_room = width - text_indent;
   const auto add = [&](const Layer* layer, const std::string& text) {
     if (text.empty()) return;
-    const std::vector<std::string> lines = wrapped(text, font_size, text_room);
+    const std::vector<std::string> lines = wrapped(text, font_size, text_room, max_lines);
     for (const Entry& entry : entries_) {
       if (entry.lines == lines) return;
     }
-    entries_.push_back({layer, lines});
+    entries_.push_back({layer, lines, std::string(whole_of_cut(lines, text))});
   };
   for (const Layer& layer : figure.layers) {
     if (window == nullptr || is_seen(layer, *window)) add(&layer, layer.legend);
@@ -146,7 +146,7 @@ void Legend::draw(std::string& svg, double x, double y) const {
     if (entry.layer != nullptr) add_sample(svg, *entry.layer);
     for (std::size_t line = 0; line < entry.lines.size(); ++line) {
       add_text(svg, entry.layer != nullptr ? text_indent : 0, 0.36 * font_size + static_cast<double>(line) * line_step,
-               entry.lines[line], {.size = font_size});
+               entry.lines[line], {.size = font_size, .whole = entry.whole});
     }
     svg += "</g>\n";
   }

@@ -22,6 +22,7 @@ class Legend {
   struct Entry {
     const Layer* layer = nullptr;  // null: a note
     std::vector<std::string> lines{};
+    std::string whole{};  // the text, where the lines leave a part of it out
   };
   struct Position {
     std::size_t row;

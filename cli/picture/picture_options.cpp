@@ -1,6 +1,7 @@
 #include "cli/picture/picture_options.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "cli/picture/conversion.hpp"
 #include "cli/picture/figure_data.hpp"
@@ -8,6 +9,7 @@
 #include "cli/picture/view.hpp"
 #include "cli/program/log.hpp"
 #include "cli/program/output_names.hpp"
+#include "cli/program/running.hpp"
 #include "lober/base/error.hpp"
 #include "lober/curve/drawing.hpp"
 #include "lober/curve/files.hpp"
@@ -19,6 +21,9 @@ constexpr std::size_t max_named = 30;
 constexpr double png_resolution = 400;  // pixels an inch
 
 Rectangle corners(const char* option, const std::vector<double>& values) {
+  if (!std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); })) {
+    throw UsageError(std::string(option) + ": the corners have to be finite");
+  }
   if (!(values[0] < values[2] && values[1] < values[3])) {
     throw UsageError(std::string(option) + ": the corners have to have X0 < X1 and Y0 < Y1");
   }
@@ -33,29 +38,36 @@ bool are_apart(const Rectangle& a, const Rectangle& b) {
   return a.min_x >= b.max_x || a.max_x <= b.min_x || a.min_y >= b.max_y || a.max_y <= b.min_y;
 }
 
-// The inset magnifies a part of the window.
-void check_inset(const Rectangle& inset, const Rectangle& window) {
+// The error of an inset, which magnifies a part of the window, unless it lies in there.
+std::string inset_error(const Rectangle& inset, const Rectangle& window) {
   const auto is_in = [](const Rectangle& inner, const Rectangle& outer) {
     return inner.min_x >= outer.min_x && inner.max_x <= outer.max_x && inner.min_y >= outer.min_y &&
            inner.max_y <= outer.max_y;
   };
-  if (is_in(inset, widened(window, 1e-4))) return;  // messages name corners with six digits
+  if (is_in(inset, widened(window, 1e-4))) return {};  // messages name corners with six digits
   const bool apart = are_apart(inset, window);
-  throw UsageError("--inset " + corners_text(inset) + (apart ? " lies outside of" : " reaches beyond") +
-                   " the part of the plane that the picture shows, " + corners_text(window) +
-                   "; give corners inside of it, or another --window");
+  return "--inset " + corners_text(inset) + (apart ? " lies outside of" : " reaches beyond") +
+         " the part of the plane that the picture shows, " + corners_text(window) +
+         "; give corners inside of it, or another --window";
 }
 
 }  // namespace
 
 std::vector<Output> PictureRequest::outputs() const {
   const FigureStyle asked = style();
-  if (asked.inset && asked.window) check_inset(*asked.inset, *asked.window);
+  if (asked.window) require_inset_in(*asked.window);
   if (labels && no_labels) throw UsageError("--labels and --no-labels contradict each other; give one of them");
   std::vector<Output> outputs;
   if (!file.empty()) outputs.push_back({"--picture", file});
   if (!data.empty()) outputs.push_back({"--data", data});
   return outputs;
+}
+
+void PictureRequest::require_inset_in(const Rectangle& shown) const {
+  const FigureStyle asked = style();
+  if (!asked.inset) return;
+  const std::string error = inset_error(*asked.inset, asked.window.value_or(shown));
+  if (!error.empty()) throw UsageError(error);
 }
 
 FigureStyle PictureRequest::style() const {
@@ -149,12 +161,16 @@ void write_figure(const std::string& path, const Figure& figure, const FigureSty
 
 void write_figure(const PictureRequest& request, const Figure& figure) {
   const FigureStyle style = request.style();
-  if (style.inset && !request.file.empty())
-    check_inset(*style.inset, drawable_window(style.window.value_or(figure.window)));
+  bool is_drawn = !request.file.empty();
+  if (style.inset && is_drawn) {
+    const std::string error = inset_error(*style.inset, drawable_window(style.window.value_or(figure.window)));
+    if (!error.empty()) keep_error(error + "; " + request.file + " is not written");
+    is_drawn = error.empty();
+  }
   if (style.window && are_apart(*style.window, drawable_window(figure.window))) {
     log_warning("--window " + corners_text(*style.window) + " shows nothing; all is in " + corners_text(figure.window));
   }
-  if (!request.file.empty()) write_figure(request.file, figure, style);
+  if (is_drawn) write_figure(request.file, figure, style);
   if (request.data.empty()) return;
   write_file(request.data, request.data.ends_with(".json") ? figure_json(figure) : figure_csv(figure));
 }

@@ -22,6 +22,9 @@ struct PictureRequest {
   /// The files, for check_outputs; throws UsageError for options that contradict themselves.
   [[nodiscard]] std::vector<Output> outputs() const;
   [[nodiscard]] FigureStyle style() const;
+  /// Throws UsageError for an inset that is not a part of --window or, without one, of what the picture will show: for
+  /// commands that know that before they compute.
+  void require_inset_in(const Rectangle& shown) const;
   /// Whether to name this number of lobes: up to 30 of them, unless --labels or --no-labels says otherwise.
   [[nodiscard]] bool labels_for(std::size_t count) const;
 };
@@ -39,7 +42,8 @@ Option add_further_picture(OptionParser& parser, const char* names, std::string&
 /// Writes a picture in the format of its ending, .svg, .pdf or .png (400 pixels an inch); SVG without one. Throws
 /// DataError where the file cannot be written, or a library that converts it is missing.
 void write_figure(const std::string& path, const Figure& figure, const FigureStyle& style);
-/// Writes the files of the request. Throws UsageError for an inset that is not a part of the window.
+/// Writes the files of the request. An inset that is not a part of the window leaves the picture out, and is the error
+/// (keep_error) with which the run ends after everything else is written.
 void write_figure(const PictureRequest& request, const Figure& figure);
 
 }  // namespace lober::cli

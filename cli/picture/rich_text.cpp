@@ -3,11 +3,13 @@
 #include <cmath>
 
 #include "cli/report/text.hpp"
+#include "engine/base/utf8.hpp"
 
 namespace lober::cli {
 namespace {
 
 constexpr double script_scale = 0.72;
+constexpr std::string_view ellipsis = "\u2026";
 
 struct TextRun {
   std::string text;
@@ -44,6 +46,28 @@ double letter_width(char c) {
   return 0.63;
 }
 
+// The length of the first letter of a text: a script or a character of UTF-8.
+std::size_t letter_length(std::string_view text) {
+  if ((text[0] == '_' || text[0] == '^') && text.substr(1, 1) == "{") {
+    if (const std::size_t end = text.find('}'); end != std::string_view::npos) return end + 1;
+  }
+  std::size_t length = 1;
+  while (length < text.size() && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) ++length;
+  return length;
+}
+
+// The longest beginning of a text that is not wider, at least one letter.
+std::string_view fitting_beginning(std::string_view text, double size, double width) {
+  std::size_t end = 0;
+  for (double so_far = 0; end < text.size();) {
+    const std::size_t length = letter_length(text.substr(end));
+    so_far += text_width(text.substr(end, length), size);
+    if (end > 0 && so_far > width) break;
+    end += length;
+  }
+  return text.substr(0, end);
+}
+
 }  // namespace
 
 double hundredth(double value) {
@@ -52,7 +76,7 @@ double hundredth(double value) {
 
 std::string escaped(std::string_view text) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : detail::as_utf8(text)) {
     switch (c) {
       case '&':
         result += "&amp;";
@@ -78,22 +102,27 @@ double text_width(std::string_view text, double size) {
   return width;
 }
 
-std::vector<std::string> wrapped(std::string_view text, double size, double width) {
+std::vector<std::string> wrapped(std::string_view text, double size, double width, std::size_t max_lines) {
   std::vector<std::string> lines;
-  std::string line;
   while (!text.empty()) {
-    const std::size_t blank = text.find(' ');
-    const std::string word(text.substr(0, blank));
-    text.remove_prefix(blank == std::string_view::npos ? text.size() : blank + 1);
-    if (!line.empty() && text_width(line + " " + word, size) > width) {
-      lines.push_back(std::move(line));
-      line = word;
-      continue;
+    std::string_view line = fitting_beginning(text, size, width);
+    const bool is_rest = line.size() == text.size();
+    if (lines.size() + 1 == max_lines && !is_rest) {
+      line = fitting_beginning(text, size, width - text_width(ellipsis, size));
+      lines.push_back(std::string(line) + std::string(ellipsis));
+      break;
     }
-    line += (line.empty() ? "" : " ") + word;
+    const std::size_t blank = is_rest || text[line.size()] == ' ' ? std::string_view::npos : line.rfind(' ');
+    if (blank != std::string_view::npos && blank > 0) line = line.substr(0, blank);
+    text.remove_prefix(line.size());
+    while (text.starts_with(' ')) text.remove_prefix(1);
+    if (!line.empty()) lines.emplace_back(line);
   }
-  if (!line.empty()) lines.push_back(std::move(line));
   return lines;
+}
+
+std::string_view whole_of_cut(const std::vector<std::string>& lines, std::string_view text) {
+  return !lines.empty() && lines.back().ends_with(ellipsis) && !text.ends_with(ellipsis) ? text : std::string_view();
 }
 
 void add_text(std::string& svg, double x, double y, std::string_view text, const TextStyle& style) {
@@ -112,6 +141,7 @@ void add_text(std::string& svg, double x, double y, std::string_view text, const
         "paint-order=\"stroke\"";
   }
   svg += ">";
+  if (!style.whole.empty()) append_all(svg, "<title>", escaped(style.whole), "</title>");
   double level = 0;
   for (const TextRun& run : runs_of(text)) {
     if (run.text.empty()) continue;

@@ -5,16 +5,28 @@
 #include <charconv>
 
 #include "cli/report/text.hpp"
+#include "engine/base/text.hpp"
 #include "engine/operations/section_edge.hpp"
 #include "lober/curve/drawing.hpp"
 
 namespace lober::cli {
 
+namespace {
+
+// With six digits, or with all where ten letters hold them: energies are chosen close to that of a saddle.
+std::string parameter_text(double value) {
+  constexpr std::size_t max_letters = 10;
+  std::string all = detail::format_number(value);
+  return all.size() <= max_letters ? all : rounded(value);
+}
+
+}  // namespace
+
 std::string system_title(const SystemInfo& system) {
   std::string text = system.name.substr(system.name.rfind('/') + 1);
   const char* separator = ": ";
   for (const Parameter& parameter : system.parameters) {
-    append_all(text, separator, parameter.name, " = ", rounded(parameter.value));
+    append_all(text, separator, parameter.name, " = ", parameter_text(parameter.value));
     separator = ", ";
   }
   return text;
@@ -22,18 +34,54 @@ std::string system_title(const SystemInfo& system) {
 
 namespace {
 
-// The coordinates that the summary of a system names last: "period map in (x, x')", "plane (x, p)".
+// "easting (km)" and "easting [km]" are a name with its unit.
+Axis axis_of(const std::string& cell) {
+  for (const auto& [open, close] : {std::pair{'(', ')'}, {'[', ']'}}) {
+    const std::size_t at = cell.find(open);
+    if (at == std::string::npos || at == 0 || cell.back() != close) continue;
+    const std::size_t end = cell.find_last_not_of(' ', at - 1);
+    if (end == std::string::npos) continue;
+    return {cell.substr(0, end + 1), cell.substr(at + 1, cell.size() - at - 2)};
+  }
+  return {cell};
+}
+
+// Where what begins with a parenthesis ends: its own closing one, or the comma at this level.
+std::size_t end_of_part(std::string_view text, std::size_t begin) {
+  int depth = 0;
+  for (std::size_t k = begin; k < text.size(); ++k) {
+    if (depth == 0 && (text[k] == ',' || text[k] == ')')) return k;
+    if (text[k] == '(' || text[k] == '[') ++depth;
+    if (text[k] == ')' || text[k] == ']') --depth;
+  }
+  return std::string_view::npos;
+}
+
+// Whether a part of a summary can be the name of a coordinate: one that does not begin with a digit and is not a
+// sentence.
+bool is_name(std::string_view text) {
+  constexpr std::size_t max_name = 40, max_blanks = 3;
+  return !text.empty() && text.size() <= max_name && (text[0] < '0' || text[0] > '9') &&
+         static_cast<std::size_t>(std::count(text.begin(), text.end(), ' ')) <= max_blanks;
+}
+
+// The coordinates that the summary of a system names last: "period map in (x, x')", "plane (x, p)", "map in (angle
+// [rad], momentum [kg m/s])".
 void name_axes_by_summary(Figure& figure, std::string_view summary) {
-  for (const std::string_view before : {" in (", "plane ("}) {
+  for (const std::string_view before : {" in (", "plane (", "angles ("}) {
     const std::size_t at = summary.rfind(before);
     if (at == std::string_view::npos) continue;
-    const std::string_view pair = summary.substr(at + before.size());
-    const std::size_t comma = pair.find(", "), end = pair.find(')');
-    if (comma == std::string_view::npos || end == std::string_view::npos || comma > end) continue;
-    const std::string_view x = pair.substr(0, comma), y = pair.substr(comma + 2, end - comma - 2);
-    if (x.empty() || y.empty() || x.size() > 8 || y.size() > 8) continue;
-    figure.x.name = x;
-    figure.y.name = y;
+    const std::size_t begin = at + before.size(), comma = end_of_part(summary, begin);
+    if (comma == std::string_view::npos || summary[comma] != ',') continue;
+    const std::size_t second = summary.find_first_not_of(' ', comma + 1);
+    if (second == std::string_view::npos) continue;
+    const std::size_t end = end_of_part(summary, second);
+    if (end == std::string_view::npos || summary[end] != ')') continue;
+    const std::string_view x = summary.substr(begin, comma - begin), y = summary.substr(second, end - second);
+    if (!is_name(x) || !is_name(y)) continue;
+    figure.x = axis_of(std::string(x));
+    figure.y = axis_of(std::string(y));
+    if (figure.x.unit != figure.y.unit) figure.plane = false;
     return;
   }
 }
@@ -52,6 +100,7 @@ void name_axes(Figure& figure, const System& system) {
   };
   figure.x.name = name(system.section->chart_x);
   figure.y.name = name(system.section->chart_y);
+  if (!system.info.library.empty()) name_axes_by_summary(figure, system.info.summary);
   const auto conjugate = [&](const ConjugatePair& pair) {
     return pair.q == system.section->chart_x && pair.p == system.section->chart_y;
   };
@@ -108,19 +157,6 @@ std::vector<std::string> header_cells(std::string_view header) {
     begin = end + 1;
   }
   return cells;
-}
-
-// "easting (km)" and "easting [km]" are a name with its unit.
-Axis axis_of(const std::string& cell) {
-  constexpr std::size_t max_name = 60;
-  for (const auto& [open, close] : {std::pair{'(', ')'}, {'[', ']'}}) {
-    const std::size_t at = cell.find(open);
-    if (at == std::string::npos || at == 0 || cell.back() != close) continue;
-    const std::size_t end = cell.find_last_not_of(' ', at - 1);
-    if (end == std::string::npos) continue;
-    return {cell.substr(0, std::min(end + 1, max_name)), cell.substr(at + 1, cell.size() - at - 2)};
-  }
-  return {cell.substr(0, max_name)};
 }
 
 }  // namespace

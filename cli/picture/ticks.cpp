@@ -63,7 +63,9 @@ Ticks ticks_between(double low, double high, int max_count, bool whole_numbers) 
       std::string text = without_end_zeros(decimal_text(std::llabs(static_cast<long long>(digits)), round_exponent));
       // Long rows of zeros read better as a power.
       if (const std::size_t end = text.find_last_not_of('0'); text.size() > 12 && end + 6 < text.size()) {
-        text = text.substr(0, end + 1) + " 10^{" + std::to_string(text.size() - end - 1) + "}";
+        const std::string factor_text = text.substr(0, end + 1);
+        text =
+            (factor_text == "1" ? "" : factor_text + "\u00b7") + "10^{" + std::to_string(text.size() - end - 1) + "}";
       }
       ticks.offset = (digits < 0 ? "+ " : "\u2212 ") + text;
     }

@@ -106,7 +106,7 @@ OperationInputs read_inputs(const operations::Operation& operation, const Operat
 // The system among the inputs in words; empty where there is none.
 std::string system_in(const std::vector<operations::Input>& inputs) {
   for (const operations::Input& input : inputs) {
-    if (const auto* const system = std::get_if<operations::SystemInput>(&input)) return system_text(*system->system);
+    if (const auto* const system = std::get_if<operations::SystemInput>(&input)) return system_note(*system->system);
   }
   return {};
 }

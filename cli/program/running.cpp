@@ -8,11 +8,13 @@
 #include "cli/program/meter.hpp"
 #include "cli/program/terminal.hpp"
 #include "cli/program/written_files.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::cli {
 namespace {
 
 std::unique_ptr<Meter> the_meter;
+std::string kept_error;  // the first one
 
 std::string_view status_of(int exit_status) {
   return exit_status == 0 ? "done" : exit_status == 130 ? "interrupted" : "failed";
@@ -55,6 +57,14 @@ void end_run(int status) {
   the_meter->end(status_of(status));
   if (the_meter->options().verbose) log_info(the_meter->seconds_text());
   if (wants_hints()) std::fputs(written_files_text().c_str(), stderr);
+}
+
+void keep_error(const std::string& message) {
+  if (kept_error.empty()) kept_error = message;
+}
+
+void end_work() {
+  if (!kept_error.empty()) throw UsageError(kept_error);
 }
 
 const RunningOptions& running_options() {

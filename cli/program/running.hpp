@@ -33,6 +33,11 @@ void begin_run(const std::string& command, const RunningOptions& options);
 /// an error.
 void end_run(int status);
 
+/// An error that spoils one output only, so that the work and the other outputs are not lost: `end_work` throws the
+/// first of them, UsageError, once all is written.
+void keep_error(const std::string& message);
+void end_work();
+
 /// Those of the run; the defaults where none has begun.
 [[nodiscard]] const RunningOptions& running_options();
 /// Whether somebody wants hints: standard error is a terminal, and --quiet was not given.

@@ -60,6 +60,11 @@ operations::SystemInput system_input_of(const SystemRequest& request) {
   return operations::system_input(request.name, parameter_values(request.parameters), request.integration);
 }
 
+std::string system_note(const System& system) {
+  const SystemInfo& info = system.info;
+  return system_text(system) + (info.library.empty() ? "" : "  of " + info.library + " sha256 " + info.library_sha256);
+}
+
 std::string system_text(const System& system) {
   std::string text = system.info.name;
   const char* separator = "  ";
@@ -74,6 +79,9 @@ Json system_json(const System& system, const IntegrationOptions& integration) {
   Json parameters = Json::object();
   for (const Parameter& parameter : system.info.parameters) parameters[parameter.name] = parameter.value;
   Json json{{"name", system.info.name}, {"parameters", std::move(parameters)}};
+  if (!system.info.library.empty()) {
+    json["library"] = {{"file", system.info.library}, {"sha256", system.info.library_sha256}};
+  }
   if (system.flow) json["integration_tolerance"] = integration.tolerance;
   return json;
 }

@@ -40,7 +40,9 @@ void add_integration_option(OptionParser& parser, IntegrationOptions& integratio
 
 /// "ovp  gamma = 0.5, eps = 0.1".
 [[nodiscard]] std::string system_text(const System& system);
-/// name, parameters, and integration_tolerance of a flow.
+/// The same for files of results, with the path and the SHA-256 of the library of a system of one's own.
+[[nodiscard]] std::string system_note(const System& system);
+/// name, parameters, library (file and sha256) of a system of one's own, and integration_tolerance of a flow.
 [[nodiscard]] Json system_json(const System& system, const IntegrationOptions& integration);
 [[nodiscard]] Json point_json(Point point);
 

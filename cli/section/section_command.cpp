@@ -129,7 +129,11 @@ void run(const SectionRequest& request) {
     Orbits orbits(request.output, progress);
     operations::Context context;
     context.progress = told_to(progress);
-    context.on_part = [&](const void* so_far) { orbits.take(*static_cast<const SystemSection*>(so_far)); };
+    context.on_part = [&](const void* part) {
+      const auto& so_far = *static_cast<const SystemSection*>(part);
+      if (so_far.first == 0) request.picture.require_inset_in(so_far.box);
+      orbits.take(so_far);
+    };
     const detail::Stopwatch orbits_watch;
     outcome = operation.run(inputs, options, context);
     const double seconds = orbits_watch.seconds();

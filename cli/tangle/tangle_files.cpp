@@ -9,7 +9,7 @@ namespace lober::cli {
 namespace {
 
 CurveFileOptions options_of(const TangleReport& report, const std::string& format, bool closed) {
-  const std::string system = report.origin ? system_text(*report.origin->system) : std::string();
+  const std::string system = report.origin ? system_note(*report.origin->system) : std::string();
   const std::vector<std::string> inputs = report.origin ? std::vector<std::string>{} : notes_on(report.inputs);
   return {.format = format, .closed = closed, .notes = notes_of("tangle", report.outcome, inputs, system)};
 }

@@ -233,7 +233,15 @@ Figure sweep_figure(const SweepReport& report) {
     add(layer.points);
     for (const Polyline& line : layer.lines) add(line.points());
   }
-  for (const SweepZero& zero : report.result().zeros) figure.x_marks.push_back(zero.value);
+  for (const SweepZero& zero : report.result().zeros) {
+    figure.x_marks.push_back(zero.value);
+    figure.notes.push_back("vertical line: W(q) = W(q') at " + report.result().parameter + " = " + rounded(zero.value));
+  }
+  const auto& rows = report.result().rows;
+  const auto failed = std::count_if(rows.begin(), rows.end(), [](const SweepRow& row) { return !row.failure.empty(); });
+  if (failed > 0) {
+    figure.notes.push_back("no areas at " + std::to_string(failed) + " of " + counted(rows.size(), "value", "values"));
+  }
   if (!box.empty()) figure.window = widened_plot(box);
   return figure;
 }

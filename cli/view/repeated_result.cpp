@@ -66,6 +66,11 @@ std::string repeated_system(const Json& system, const std::string& path, const s
     throw UsageError("--library: " + library + " has the system \"" + own + "\", and " + path + " is a result of \"" +
                      name + "\"");
   }
+  if (const Json made = system.value("library", Json());
+      made.is_object() && made.at("sha256") != sha256_of_file(library)) {
+    throw DataError("--library: " + library + " is not the one with which " + path +
+                    " was computed, whose SHA-256 is another; run the command again");
+  }
   return library;
 }
 

@@ -131,7 +131,9 @@ typedef struct lober_system {
   unsigned abi;                      /* LOBER_SYSTEM_ABI */
   lober_kind kind;                   /* a map or a flow */
   const char* name;                  /* name in messages */
-  const char* summary;               /* one line; all texts are UTF-8 */
+  /* One line; all texts are UTF-8. Pictures name their axes by the coordinates of the plane that it names last, with
+     units in brackets: "...; map in (angle [rad], action [J s])". */
+  const char* summary;
   size_t parameter_count;            /* number of parameters */
   const lober_parameter* parameters; /* the parameters, in the order in which functions get their values */
   /* The box of the fixed points of interest: min x, min y, max x, max y in the plane of the map. */

@@ -1,3 +1,6 @@
+#include <utility>
+
+#include "lober/curve/files.hpp"
 #include "lober/operations.hpp"
 
 namespace lober::operations {
@@ -5,7 +8,9 @@ namespace lober::operations {
 SystemInput system_input(const std::string& name, const ParameterValues& values,
                          const IntegrationOptions& integration) {
   SystemInput input;
-  input.system = std::make_shared<const System>(make_system(name, values, integration));
+  System system = make_system(name, values, integration);
+  if (!system.info.library.empty()) system.info.library_sha256 = sha256_of_file(system.info.library);
+  input.system = std::make_shared<const System>(std::move(system));
   input.integration = integration;
   input.with = [name, values, integration](const ParameterValues& changed) {
     ParameterValues all = values;

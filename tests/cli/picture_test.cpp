@@ -8,6 +8,8 @@
 #include "cli/picture/conversion.hpp"
 #include "cli/picture/figure_svg.hpp"
 #include "cli/picture/panels.hpp"
+#include "cli/picture/rich_text.hpp"
+#include "cli/picture/system_figure.hpp"
 #include "cli/picture/ticks.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/paths.hpp"
@@ -74,6 +76,101 @@ TEST(FigureSvg, SaysPowersOfTenAndCategories) {
   EXPECT_NE(svg.find(">10<"), std::string::npos);   // with a superscript behind it
 }
 
+// Long texts are set smaller, broken, then cut; none is smaller than can be read or wider than the picture.
+TEST(FigureSvg, BreaksAndCutsLongTexts) {
+  const auto sizes_at_least = [](const std::string& svg, double least) {
+    for (std::size_t at = svg.find("font-size=\""); at != std::string::npos; at = svg.find("font-size=\"", at + 1)) {
+      EXPECT_GE(std::stod(svg.substr(at + 11)), least) << svg.substr(at, 100);
+    }
+  };
+  Figure figure;
+  figure.title = "title";
+  figure.window = {0, 0, 1, 1};
+  figure.x = {"a displacement of the pendulum from its position of rest, along the longer of both axes", "m"};
+  figure.y = figure.x;
+  std::string svg = figure_svg(figure, {});
+  sizes_at_least(svg, min_text_size);
+  EXPECT_NE(svg.find("axes (m)<"), std::string::npos) << "the unit is in the second line";
+  EXPECT_EQ(svg.find("\u2026"), std::string::npos);
+  const std::string word(10'000, 'w');
+  figure.title = figure.x.name = word;
+  figure.layers.push_back(line_layer("line", word, palette::ink));
+  svg = figure_svg(figure, {});
+  sizes_at_least(svg, min_text_size);
+  EXPECT_NE(svg.find("<title>" + word + "</title>"), std::string::npos);
+  std::size_t longest = 0;
+  for (std::size_t at = svg.find('w'), end; at != std::string::npos; at = svg.find('w', end)) {
+    end = std::min(svg.find_first_not_of('w', at), svg.size());
+    if (svg.compare(end, 8, "</title>") != 0 && svg.compare(end, 5, " (m)<") != 0)
+      longest = std::max(longest, end - at);
+  }
+  EXPECT_LE(static_cast<double>(longest) * text_width("w", min_text_size), 241);
+  EXPECT_LT(std::stod(svg.substr(svg.find("height=\"") + 8)), 120);  // mm
+}
+
+// A height that texts do not leave room for is exceeded; nothing is cut off.
+TEST(FigureSvg, IsAsHighAsItsTexts) {
+  Figure figure;
+  figure.window = {0, 0, 1, 1};
+  for (const char* const text : {"one", "two", "three"}) {
+    figure.layers.push_back(line_layer(text, std::string(text) + " and so on, which is long", palette::ink));
+  }
+  const auto height = [&](FigureStyle style) {
+    const std::string svg = figure_svg(figure, style);
+    return std::stod(svg.substr(svg.find("height=\"") + 8));
+  };
+  EXPECT_NEAR(height({.width = 60, .height = 60.0}), 60, 0.01);
+  EXPECT_GT(height({.width = 30, .height = 30.0}), 31);
+  EXPECT_NEAR(height({.width = 30, .height = 30.0, .legend = false}), 30, 0.01);
+}
+
+TEST(Ticks, SayPowersOfOffsetsAsOneFactor) {
+  EXPECT_EQ(ticks_between(1e12 - 1, 1e12 + 1, 5, false).offset, "\u2212 10^{12}");
+  EXPECT_EQ(ticks_between(3e12 - 1, 3e12 + 1, 5, false).offset, "\u2212 3\u00b710^{12}");
+}
+
+// A text is never cut within a character or a subscript.
+TEST(RichText, IsWrappedBetweenLetters) {
+  const std::string text = "\u03b1\u03b2\u03b3L_{12}(1) and more";
+  for (double width = 1; width < 120; width += 3) {
+    std::string all;
+    for (const std::string& line : wrapped(text, 7, width, 100)) {
+      EXPECT_TRUE(text_width(line, 7) <= width || text_width(line, 7) < 12) << line;  // one letter, or a subscript
+      EXPECT_NE(static_cast<unsigned char>(line[0]) & 0xC0U, 0x80U) << line;
+      EXPECT_EQ(line.find("_{") == std::string::npos, line.find('}') == std::string::npos) << line;
+      all += line;
+    }
+    std::string letters = text;
+    std::erase(letters, ' ');
+    std::erase(all, ' ');
+    EXPECT_EQ(all, letters);
+    const std::vector<std::string> one = wrapped(text, 7, width, 1);
+    ASSERT_EQ(one.size(), 1);
+    EXPECT_EQ(one[0] == text, whole_of_cut(one, text).empty());
+  }
+}
+
+// The coordinates that a summary names, with units; nothing of other sentences.
+TEST(SystemFigure, NamesAxesBySummary) {
+  const auto names = [](const char* summary) {
+    System system;
+    system.info.summary = summary;
+    Figure figure;
+    name_axes(figure, system);
+    EXPECT_EQ(figure.plane, figure.x.unit == figure.y.unit);
+    return figure.x.name + "|" + figure.x.unit + "|" + figure.y.name + "|" + figure.y.unit;
+  };
+  EXPECT_EQ(names("Standard map; plane (x, p)"), "x||p|");
+  EXPECT_EQ(names("Pendulum x'' = -sin x; period map in (x, x')"), "x||x'|");
+  EXPECT_EQ(names("Proton in a trap; map in (position (um), momentum [kg m/s])"), "position|um|momentum|kg m/s");
+  EXPECT_EQ(names("Eddies in the plane (longitude [degrees], latitude [degrees]), daily"),
+            "longitude|degrees|latitude|degrees");
+  EXPECT_EQ(names("Map (x, y) -> (y, x)"), "x||y|");
+  EXPECT_EQ(names("As in (Meiss, 1992)"), "x||y|");
+  EXPECT_EQ(names("Defined in (f(x, y), g"), "x||y|");
+  EXPECT_EQ(names("Flow in (x, y, z)"), "x||y|");
+}
+
 // The legend explains only parts that the window shows.
 TEST(FigureSvg, ExplainsWhatIsSeen) {
   Figure figure;
@@ -115,6 +212,20 @@ TEST(FigureSvg, PutsTheInsetWhereThereIsRoom) {
   const double right_of_inset = number(inset, "x=\"") + number(inset, " width=\"");
   EXPECT_GT(number(inset, "x=\""), left);
   EXPECT_LT(right_of_inset, left + 0.9 * width);  // left of the line x = 9
+}
+
+// Where the ticks of an inset count from another number than those of the plot, both of its axes say so.
+TEST(FigureSvg, NamesTheAxesOfAnInsetWithOffsets) {
+  Figure figure;
+  figure.layers.push_back(line_layer("line", "", palette::ink));
+  figure.layers.back().lines.push_back({.own = {{0, 0}, {10, 10}}});
+  figure.window = {0, 0, 10, 10};
+  FigureStyle style;
+  style.inset = Rectangle{4.5, 3, 4.5 + 1e-7, 3 + 1e-7};
+  const std::string svg = figure_svg(figure, style);
+  const std::string inset = svg.substr(svg.find("<clipPath id=\"inset\">"));
+  EXPECT_NE(inset.find(">x \u2212 4.5"), std::string::npos) << inset;
+  EXPECT_NE(inset.find(">y \u2212 3"), std::string::npos) << inset;
 }
 
 TEST(PanelsSvg, HasOneLegendAndNamesEachFrame) {
@@ -193,11 +304,22 @@ TEST_F(PictureProgram, RefusesAnInsetThatIsNotInTheWindow) {
             std::string::npos)
       << outside.err;
   EXPECT_FALSE(exists("p.svg"));
+  EXPECT_NE(outside.err.find("p.svg is not written"), std::string::npos) << outside.err;
+  EXPECT_NE(outside.out.find("crossings"), std::string::npos) << "what was computed is not lost";
+  EXPECT_EQ(with({"--inset", "50,50,60,60", "--json", "kept.json"}).status, 2);
+  EXPECT_EQ(Json::parse(read("kept.json"))["crossings"].size(), 6);
   const Outcome beyond = with({"--inset", "4,-1,9,1", "--window", "0,-2,6,2"});
   EXPECT_EQ(beyond.status, 2);
   EXPECT_NE(beyond.err.find("reaches beyond the part of the plane that the picture shows, 0,-2,6,2"), std::string::npos)
       << beyond.err;
   EXPECT_EQ(with({"--inset", "4,-1,6,1", "--window", "0,-2,6,2"}).status, 0);
+  for (const char* const option : {"--window", "--inset"}) {
+    const Outcome infinite = with({option, "-inf,0,1,inf"});
+    EXPECT_EQ(infinite.status, 2);
+    EXPECT_NE(infinite.err.find("have to be finite"), std::string::npos) << infinite.err;
+  }
+  ASSERT_EQ(with({"--title", "caf\xe9 \x01 <&>"}).status, 0);
+  EXPECT_NE(read("p.svg").find("caf\u00e9   &lt;&amp;&gt;"), std::string::npos) << "bytes that are not UTF-8";
   const Outcome nothing = with({"--window", "100,100,101,101"});
   EXPECT_EQ(nothing.status, 0);
   EXPECT_NE(nothing.err.find("shows nothing; all is in -1"), std::string::npos) << nothing.err;

@@ -132,6 +132,13 @@ def results_of_others_load_no_library():
     with_changes("own.json", "bad.json", system__name="henon", options__side="json=stolen.json")
     subprocess.run([PROGRAM, "view", "bad.json", "-o", "no.html"], capture_output=True)
     assert not os.path.exists("stolen.json") and not os.path.exists("again.html") and not loaded()
+    made = json.loads(content("own.json"))["system"]["library"]
+    assert made == {"file": "./loud.so", "sha256": digest}, made
+    with_changes("own.json", "bad.json", system__library={"file": "./loud.so", "sha256": "0" * 64})
+    run("view", "bad.json", "-o", "no.html", "--library", "./loud.so", status=1, says="is not the one with which bad.json")
+    loaded()
+    run("grow", "./loud.so", *map_of, "-o", "own.geojson")
+    assert "sha256 " + digest in content("own.geojson")
     run("view", "own.json", "-o", "again.html", "--library", "./loud.so")
     assert loaded() and content("again.html") == content("own.html")
     with_changes("own.json", "bad.json", system__name="henon")

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "engine/base/utf8.hpp"
 #include "lober/base/error.hpp"
 #include "viewer/base64.hpp"
 #include "viewer/page_data.hpp"
@@ -37,6 +38,24 @@ TEST(Page, TextsCannotBecomeMarkup) {
   EXPECT_NE(page.find("default-src 'none'; script-src 'sha256-"), std::string::npos);
   EXPECT_EQ(page.find("unsafe"), std::string::npos);
   EXPECT_EQ(batch_page_of(bad, "{\"jobs\":[\"" + bad.substr(0, 9) + "\"]}").find("[\"</script>"), std::string::npos);
+}
+
+// Names of files are any bytes; a page is UTF-8.
+TEST(Page, TextsOfAnyBytesAreUtf8) {
+  const std::vector<Point> points{{0, 0}, {1, 1}};
+  const std::string bytes = "caf\xe9";
+  Scene scene;
+  scene.title = bytes;
+  scene.notes = {bytes};
+  Layer layer;
+  layer.name = bytes;
+  layer.colour = "#000000";
+  layer.lines = {{bytes, {points, false}}};
+  scene.layers = {layer};
+  const std::string page = page_of(scene);
+  EXPECT_TRUE(detail::is_utf8(page));
+  EXPECT_NE(page.find("<title>caf\u00e9"), std::string::npos);
+  EXPECT_TRUE(detail::is_utf8(batch_page_of(bytes, "{}")));
 }
 
 TEST(Page, AnEmptySceneIsAPage) {

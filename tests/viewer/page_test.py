@@ -295,6 +295,53 @@ def batches(browser, folder):
         assert float(exported[3][name]) == shown, (name, shown)
 
 
+def batches_of_lists(browser, folder):
+    """Lists that an operation spreads are columns of the page, as they are of exports."""
+    manifest, page = os.path.join(folder, "e.toml"), os.path.join(folder, "e.html")
+    with open(manifest, "w") as file:
+        file.write('operation = "escape"\noptions = { system = "capsize", crossings = 2, monte_carlo = 0, tolerance = 1e-3 }\n'
+                   "grid = { energy = [0.26, 0.265, 0.27] }\n")
+    lober("batch", "run", manifest, "--quiet")
+    lober("batch", "page", os.path.join(folder, "e.results"), "-o", page)
+    exported = list(csv.DictReader(lober("batch", "export", os.path.join(folder, "e.results")).splitlines()))
+    browser.open(page)
+    fractions = [name for name in exported[0] if re.fullmatch(r"fraction(_\d+)+(_error)?", name)]
+    assert len(fractions) >= 16, exported[0]
+    for name in fractions:
+        shown = browser.run(f"[0, 1, 2].map((k) => lober.columns.find((one) => one.name === '{name}')?.value(k) ?? null)")
+        assert shown == [float(row[name]) if row[name] else None for row in exported], (name, shown)
+    drawn = browser.run("document.getElementById('value').selectedOptions[0].textContent")
+    assert drawn == "fraction_1_1_2", drawn
+    assert browser.run("document.getElementById('y').hidden") # one option differs, so the map has one row
+    assert browser.run("document.getElementById('of').textContent") == "fraction_1_1_2 over energy"
+    assert browser.run("document.getElementById('range').textContent").count(" (") == 2
+    values = sorted(float(row[drawn]) for row in exported)
+    browser.run("(() => { const f = document.getElementById('filter');"
+                f"f.value = '{drawn}>={values[1]!r}'; f.dispatchEvent(new Event('input')); }})()")
+    assert browser.run("document.querySelectorAll('#body tr').length") == 2
+    low, _, _ = browser.run("document.getElementById('range').textContent").partition(" ")
+    assert abs(float(low) - values[1]) < 1e-5 * values[1], (low, values) # the map has the rows of the table
+
+
+def cells_of_several_jobs(browser, folder):
+    """Where jobs differ in more than both axes, the page says so, and a filter chooses."""
+    manifest, page = os.path.join(folder, "c.toml"), os.path.join(folder, "c.html")
+    with open(manifest, "w") as file:
+        file.write('operation = "manifold_tangle"\noptions = { system = "standard" }\n'
+                   "grid = { parameters.K = [1.2, 1.5], tolerance = [1e-3, 1e-2], before = [1, 2] }\n")
+    lober("batch", "run", manifest, "--quiet")
+    lober("batch", "page", os.path.join(folder, "c.results"), "-o", page)
+    browser.open(page)
+    assert "4 more jobs lie on the same cells" in browser.run("document.getElementById('range').textContent")
+    left = browser.run("['K', 'tolerance', 'before'].find((name) => !['x', 'y'].some((id) => "
+                       "document.getElementById(id).selectedOptions[0].textContent === name))")
+    value = {"K": "1.2", "tolerance": "0.01", "before": "1"}[left]
+    browser.run("(() => { const f = document.getElementById('filter');"
+                f"f.value = '{left}={value}'; f.dispatchEvent(new Event('input')); }})()")
+    assert "more jobs" not in browser.run("document.getElementById('range').textContent")
+
+
 if __name__ == "__main__":
     sys.exit(run([points_are_exact, zooms_into_a_pip, agrees_with_pictures_of_the_program, lobes_are_read, keys_and_wheel,
-                  exports_measure_and_iterates, batches]))
+                  exports_measure_and_iterates, batches, batches_of_lists,
+                  cells_of_several_jobs]))

@@ -29,6 +29,7 @@ byId("counts").textContent = `${batch.done} done, ${batch.failed} failed, ${batc
 
 const hasOverlaps = (k) => Boolean(batch.overlaps?.[k]);
 const chosenOf = (id) => columns[Number(byId(id).value)];
+const oneRow = { name: "", value: () => "", text: () => "" }; // in place of y where jobs differ in one thing only
 const showsLobes = () => byId("kind").value === "lobes";
 let cellAt = () => undefined;
 
@@ -43,11 +44,11 @@ function cells() {
       return [{ x: i, y: j, ...about }, { x: j, y: i, ...about }];
     });
   }
-  const [x, y, value] = ["x", "y", "value"].map(chosenOf);
-  byId("of").textContent = `${value.name} over ${x.name} (to the right) and ${y.name} (upwards)`;
-  return numbers.filter((k) => [x, y, value].every((one) => one.value(k) !== undefined)).map((job) => (
+  const x = chosenOf("x"), y = varied.length > 1 ? chosenOf("y") : oneRow, value = chosenOf("value");
+  byId("of").textContent = `${value.name} over ${x.name}` + (y === oneRow ? "" : ` (to the right) and ${y.name} (upwards)`);
+  return table.rows.filter((k) => [x, y, value].every((one) => one.value(k) !== undefined)).map((job) => (
     { x: x.value(job), y: y.value(job), value: value.value(job), job,
-      text: `${x.name} ${x.text(job)}, ${y.name} ${y.text(job)}` }));
+      text: [x, y].filter(({ name }) => name).map((one) => `${one.name} ${one.text(job)}`).join(", ") }));
 }
 
 function heat() {
@@ -59,7 +60,8 @@ function heat() {
   context.scale(ratio, ratio);
   const grid = gridOf(cells()), style = getComputedStyle(document.documentElement);
   cellAt = paintGrid(context, grid, canvas, style, (step) => (typeof step === "number" ? rounded(step, 10) : short(step)));
-  byId("range").textContent = grid.high >= grid.low ? `${rounded(grid.low)} (dark) to ${rounded(grid.high)} (light)` : "no values";
+  byId("range").textContent = (grid.high >= grid.low ? `${rounded(grid.low)} (dark) to ${rounded(grid.high)} (light)` : "no values") +
+    (grid.hidden > 0 ? `; ${grid.hidden} more jobs lie on the same cells: filter the table` : "");
 }
 
 const hover = (event) => {
@@ -80,8 +82,7 @@ function choose(job) {
   table.mark(job);
   if (showsLobes()) heat();
 }
-const table = new Table({ choose });
-table.show(batch, jobs, columns);
+const table = new Table({ choose, changed: () => byId("heat-part").hidden || heat() });
 
 const kinds = [];
 if (varied.length > 0 && results.length > 0) kinds.push(["jobs", "numbers of jobs"]);
@@ -90,11 +91,17 @@ const option = ([value, text]) => element("option", { value }, text);
 const options = (list) => list.map((one) => option([String(columns.indexOf(one)), one.name]));
 byId("kind").replaceChildren(...kinds.map(option));
 for (const [id, list] of [["x", varied], ["y", varied], ["value", results]]) byId(id).replaceChildren(...options(list));
+byId("y").hidden = varied.length < 2;
 if (varied.length > 1) byId("y").selectedIndex = 1;
-const usual = results.findIndex(({ name }) => name === "intersection");
-if (usual >= 0) byId("value").selectedIndex = usual;
+// The number that is drawn first, as `lober batch picture` chooses it: a usual one, or the first that differs among the jobs
+// and does not repeat what is given.
+const repeats = (one) => varied.some(({ value }) => numbers.every((k) => value(k) === one.value(k)));
+const usual = ["intersection", "lobe_area12", "flux12"].map((wanted) => results.find(({ name }) => name === wanted))
+  .concat(results.find((one) => isVaried(one) && !one.name.endsWith("_error") && !repeats(one))).find(Boolean);
+if (usual) byId("value").value = String(columns.indexOf(usual));
 if (batch.overlaps) byId("kind").value = "lobes";
 byId("heat-part").hidden = kinds.length === 0;
+table.show(batch, jobs, columns);
 for (const id of ["kind", "x", "y", "value"]) byId(id).addEventListener("change", heat);
 if (kinds.length > 0) new ResizeObserver(heat).observe(byId("map"));
 globalThis.lober = { columns, table }; // for the console, and for tests

@@ -8,9 +8,9 @@ const SIGNS = {
 
 export class Table {
   // `choose(k)` is called for a click on row k, `zoom(k)` for a double one; `accepts()` gives what says whether row k is
-  // wanted at all.
-  constructor({ choose, zoom = choose, accepts = () => () => true }) {
-    Object.assign(this, { choose, zoom, accepts, source: null, chosen: null, rows: [] });
+  // wanted at all; `changed()` is called for other rows, or another order of them.
+  constructor({ choose, zoom = choose, accepts = () => () => true, changed = () => {} }) {
+    Object.assign(this, { choose, zoom, accepts, changed, source: null, chosen: null, rows: [] });
     this.scroller = byId("rows");
     this.scroller.addEventListener("scroll", () => this.fill());
     byId("filter").addEventListener("input", () => this.update());
@@ -64,6 +64,7 @@ export class Table {
     const part = rows.length === this.n ? "" : `${rows.length} of `;
     byId("count").textContent = `${part}${this.n} ${this.n === 1 ? "row" : "rows"}`;
     this.fill();
+    this.changed();
   }
 
   fill() {

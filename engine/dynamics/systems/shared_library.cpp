@@ -147,6 +147,7 @@ SystemEntry load_system(const std::string& path) {
   SystemEntry entry;
   entry.info.name = system->name;
   entry.info.summary = system->summary;
+  entry.info.library = path;
   entry.info.parameters = parameters_of(*system);
   if (const std::string what = fault(*system, entry.info.parameters); !what.empty())
     throw DataError(path + ": " + what);

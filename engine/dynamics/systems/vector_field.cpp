@@ -36,7 +36,7 @@ double unit_within(double extent) {
   constexpr double smallest = 1e-300, largest = 1e300;
   if (!(extent >= smallest && extent <= largest)) return 1;
   // Read from its decimal form, so that it is that number and not one beside it.
-  return std::stod("1e" + std::to_string(static_cast<int>(std::floor(std::log10(extent)))));
+  return std::stod("1e" + std::to_string(static_cast<int>(std::floor(elementary::log10(extent)))));
 }
 
 void VectorField::jacobians(std::size_t count, const double* x, const double* t, double* jacobian) const {

@@ -42,6 +42,9 @@ struct SystemInfo {
   std::string name;                   ///< the name on the command line
   std::string summary;                ///< one line: equations or their source, and the planar map
   std::vector<Parameter> parameters;  ///< in their order, with defaults
+  std::string library = {};           ///< the path of the shared library that it is from; empty for built-in systems
+  /// The hash of that file, lower-case hexadecimal, where operations::system_input loaded it; else empty.
+  std::string library_sha256 = {};
 
   /// The parameter that is the size of a perturbation; null where there is none.
   [[nodiscard]] LOBER_API const Parameter* perturbation() const;

@@ -169,7 +169,7 @@ std::size_t TangleGrowth::halfway() const {
   double nearest = std::numeric_limits<double>::infinity();
   std::size_t best = 0;
   for (std::size_t pip = 0; pip < found_.pips.size(); ++pip) {
-    const double off = std::fabs(std::log(along_u[pip] / along_s[pip]));
+    const double off = std::fabs(elementary::log(along_u[pip] / along_s[pip]));
     if (!(off < nearest - nearer)) continue;
     nearest = off;
     best = pip;
