@@ -12,6 +12,7 @@
 #include "engine/dynamics/maps/right_hand_sides.hpp"
 #include "engine/dynamics/systems/library_checks.hpp"
 #include "engine/dynamics/systems/own_field.hpp"
+#include "kernels/elementary.hpp"
 #include "lober/base/error.hpp"
 
 namespace lober {
@@ -35,8 +36,10 @@ double step_at(const VectorField& field, std::size_t count, const double* x, std
 double unit_within(double extent) {
   constexpr double smallest = 1e-300, largest = 1e300;
   if (!(extent >= smallest && extent <= largest)) return 1;
-  // Read from its decimal form, so that it is that number and not one beside it.
-  return std::stod("1e" + std::to_string(static_cast<int>(std::floor(elementary::log10(extent)))));
+  // Read from their decimal forms, so that they are those numbers and not ones beside them.
+  const auto ten_to = [](int power) { return std::stod("1e" + std::to_string(power)); };
+  const int power = static_cast<int>(std::lround(detail::elementary::log10(extent)));
+  return ten_to(power) <= extent ? ten_to(power) : ten_to(power - 1);
 }
 
 void VectorField::jacobians(std::size_t count, const double* x, const double* t, double* jacobian) const {

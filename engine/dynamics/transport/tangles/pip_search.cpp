@@ -9,6 +9,7 @@
 #include "engine/base/text.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/transport/tangles/tangle_box.hpp"
+#include "kernels/elementary.hpp"
 
 namespace lober::detail {
 namespace {
@@ -31,7 +32,7 @@ void TangleGrowth::look() {
   constexpr int max_rounds = 12;
   find_pips();
   for (int round = 0; round < max_rounds && refine_flat_pips(); ++round) find_pips();
-  if (!found_.pips.empty()) bip_ = known_bip_ ? nearest(*known_bip_) : near_ ? nearest(*near_) : halfway();
+  if (!found_.pips.empty()) bip_ = known_bip_ ? nearest(*known_bip_) : near_ ? nearest(*near_) : halfway().pip;
 }
 
 // Grows until U and S cross, as polygons. False where they do not.
@@ -40,7 +41,7 @@ bool TangleGrowth::find_crossing() {
   for (find_pips(); found_.pips.empty(); find_pips()) {
     if (!towards_a_crossing()) return false;
   }
-  bip_ = known_bip_ ? nearest(*known_bip_) : bip_near_ ? nearest(*bip_near_) : halfway();
+  bip_ = known_bip_ ? nearest(*known_bip_) : bip_near_ ? nearest(*bip_near_) : halfway().pip;
   return true;
 }
 
@@ -83,10 +84,10 @@ bool TangleGrowth::find_turnstile(std::string& trouble) {
       const bool more_s = s_.growth->time() >= bip.s + 1 + beyond || grow(s_, bip.s + 1 + beyond);
       if (more_u || more_s) continue;
     }
-    // Farther along U the pip halfway may come yet, with the next image of the last one; before that one it is found
-    // with the pre-image.
-    const bool last = !known_bip_ && !near_ && bip_ + 1 == found_.pips.size();
-    if (last && u_.growth->time() < bip.u + 1 + beyond && grow(u_, bip.u + 1 + beyond)) continue;
+    // Farther along U a pip nearer to halfway may come yet, with the next image of the last one; before that one it is
+    // found with the pre-image.
+    const bool may_come = !known_bip_ && !near_ && bip_ + 1 == found_.pips.size() && halfway().ahead < 0;
+    if (may_come && u_.growth->time() < bip.u + 1 + beyond && grow(u_, bip.u + 1 + beyond)) continue;
     if (s_.growth->time() >= bip.s + 1 + beyond) break;
     if (!grow(s_, bip.s + 1 + beyond)) return false;
   }
@@ -146,7 +147,7 @@ bool TangleGrowth::newest_meets(const Side& one, const Side& other) {
 
 // The pip up to which U is as long as S. Along U the one grows and the other one shrinks: one orbit passes nearest to
 // there, wherever the plane has its origin, in whatever unit it is, and however far the local manifolds reach.
-std::size_t TangleGrowth::halfway() const {
+TangleGrowth::Halfway TangleGrowth::halfway() const {
   const auto lengths = [this](const Side& side, Position Pip::*on) {
     const Buffer<Point>& points = side.growth->grown().points;
     std::vector<double> result(found_.pips.size());
@@ -166,14 +167,12 @@ std::size_t TangleGrowth::halfway() const {
   const std::vector<double> along_u = lengths(u_, &Pip::u), along_s = lengths(s_, &Pip::s);
   // Two that are as near as rounding can tell, as mirror images are: the first along U.
   constexpr double nearer = 1e-6;
-  double nearest = std::numeric_limits<double>::infinity();
-  std::size_t best = 0;
+  Halfway best{0, std::numeric_limits<double>::infinity()};
   for (std::size_t pip = 0; pip < found_.pips.size(); ++pip) {
-    const double off = std::fabs(elementary::log(along_u[pip] / along_s[pip]));
-    if (!(off < nearest - nearer)) continue;
-    nearest = off;
-    best = pip;
+    const double ahead = elementary::log(along_u[pip] / along_s[pip]);
+    if (std::fabs(ahead) < std::fabs(best.ahead) - nearer) best = {pip, ahead};
   }
+  if (std::fabs(best.ahead) < nearer) best.ahead = 0;
   return best;
 }
 

@@ -67,6 +67,10 @@ class TangleGrowth {
   struct Time {
     double u, s;
   };
+  struct Halfway {
+    std::size_t pip;
+    double ahead;  // logarithm of the length of U up to it over that of S
+  };
   // Pips are followed farther than to where they are by this, in images.
   static constexpr double beyond = 0.02;
   // Polygons are finer than the splitting by this factor.
@@ -102,7 +106,7 @@ class TangleGrowth {
   [[nodiscard]] std::string tolerance_text() const;
   bool towards_a_crossing();
   [[nodiscard]] static bool newest_meets(const Side& one, const Side& other);
-  [[nodiscard]] std::size_t halfway() const;
+  [[nodiscard]] Halfway halfway() const;
   [[nodiscard]] std::size_t nearest(Point point) const;
   [[nodiscard]] std::size_t nearest(Time time) const;
   [[nodiscard]] std::pair<ManifoldPosition, ManifoldPosition> positions_of(std::size_t pip) const;
