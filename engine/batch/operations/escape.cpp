@@ -5,6 +5,7 @@
 #include "engine/base/text.hpp"
 #include "engine/batch/operations/of_table.hpp"
 #include "engine/batch/operations/table.hpp"
+#include "kernels/elementary.hpp"
 
 namespace lober::detail {
 namespace {
@@ -62,7 +63,7 @@ Pilot pilot_of(std::span<const OptionSpec> specs, std::size_t known, const Optio
   std::vector<OptionSetting> settings(options.settings().begin(), options.settings().end());
   settings.push_back({"tolerance", pilot_tolerance});
   settings.push_back({"monte_carlo", std::int64_t{0}});
-  const double factor = crossings > 0 ? std::cbrt(pilot_tolerance / tolerance) : 1;
+  const double factor = crossings > 0 ? elementary::power(pilot_tolerance / tolerance, 1.0 / 3) : 1;
   return {Options(specs, settings), [=](double seconds, const Result& result) {
             const bool whole = !result.failed() && result.values[known] >= crossings;
             return (whole ? std::min(factor * seconds, limit) : limit) + trajectory_seconds * trajectories;
