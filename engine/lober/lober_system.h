@@ -136,7 +136,8 @@ typedef struct lober_system {
   const char* summary;
   size_t parameter_count;            /* number of parameters */
   const lober_parameter* parameters; /* the parameters, in the order in which functions get their values */
-  /* The box of the fixed points of interest: min x, min y, max x, max y in the plane of the map. */
+  /* The box of the fixed points of interest: min x, min y, max x, max y in the plane of the map. The largest power of ten
+     in its extent is the unit by which tolerances and errors of integration are judged. */
   double window[4];
   /* The shift of the plane after which the map repeats itself; 0, 0 for none. */
   double lattice[2];

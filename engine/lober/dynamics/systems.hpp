@@ -84,7 +84,8 @@ struct Connection {
 /// A system with its parameters chosen.
 struct System {
   SystemInfo info;  ///< description, with the chosen values of the parameters
-  /// The box of the fixed points of interest: a scan searches it unless the user gives another one.
+  /// The box of the fixed points of interest: a scan searches it unless the user gives another one. The map's unit
+  /// (PlanarMap::unit) follows from its extent.
   Rectangle window;
   /// The box that a picture of orbits shows and in which they begin: the window, unless the system says otherwise.
   Rectangle picture;

@@ -293,6 +293,18 @@ TEST(Systems, LibrariesDeclareSaddles) {
   EXPECT_TRUE(mentions(system_refusal<DataError>(path + "5.so"), "saddles are those of an autonomous flow of four"));
 }
 
+TEST(Systems, UnitsArePowersOfTen) {
+  for (int power = -299; power < 300; ++power) {
+    const double unit = std::stod("1e" + std::to_string(power));
+    EXPECT_EQ(unit_within(unit), unit);
+    EXPECT_EQ(unit_within(9.99 * unit), unit);
+    EXPECT_EQ(unit_within(std::nextafter(unit, 0)), std::stod("1e" + std::to_string(power - 1))) << power;
+  }
+  for (const double unknown : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::nan("")}) {
+    EXPECT_EQ(unit_within(unknown), 1) << unknown;
+  }
+}
+
 TEST(Systems, RangesInWords) {
   const double infinity = std::numeric_limits<double>::infinity();
   const auto words = [](double min, double max, bool min_excluded, bool max_excluded) {
