@@ -206,14 +206,14 @@ class Sweeper {
         choice_(connection_options().how(options)),
         range_(range_of(*how_.range)) {
     if (!input_.with) throw UsageError("a sweep needs a system whose parameters can be changed");
+    first_ = member(range_.values.front());  // also so that wrong names are reported at once
   }
 
-  [[nodiscard]] double tolerance() const { return tolerance_in(member(range_.values.front()), how_.tolerance_given); }
+  [[nodiscard]] double tolerance() const { return tolerance_in(first_, how_.tolerance_given); }
 
   SystemSweep run() const {
-    const System first = member(range_.values.front());  // also so that wrong names are reported at once
-    if (first.no_connection.empty()) (void)chosen_connection(choice_, first);
-    if (how_.melnikov) (void)perturbation_of(first);
+    if (first_.no_connection.empty()) (void)chosen_connection(choice_, first_);
+    if (how_.melnikov) (void)perturbation_of(first_);
     SweepOptions options;
     options.tangle.tolerance = tolerance();
     options.tangle.max_points = how_.max_points;
@@ -281,6 +281,7 @@ class Sweeper {
   SweepHow how_;
   ConnectionChoice choice_;
   Range range_;
+  System first_;  // at the first value
 };
 
 }  // namespace

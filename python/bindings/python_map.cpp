@@ -24,7 +24,8 @@ namespace {
 /// which are called with the GIL, by one thread at a time.
 class PythonMap final : public PlanarMap {
  public:
-  explicit PythonMap(py::object object) : object_(std::move(object)) {}
+  explicit PythonMap(py::object object)
+      : object_(std::move(object)), unit_(unit_within(object_.attr("extent").cast<double>())) {}
   ~PythonMap() override {
     const py::gil_scoped_acquire acquired;
     object_ = py::object();
@@ -69,10 +70,7 @@ class PythonMap final : public PlanarMap {
     return object_.attr("action_accuracy").cast<double>();
   }
 
-  [[nodiscard]] double unit() const override {
-    const py::gil_scoped_acquire acquired;
-    return unit_within(object_.attr("extent").cast<double>());
-  }
+  [[nodiscard]] double unit() const override { return unit_; }
   /// A call costs as much as hundreds of points.
   [[nodiscard]] std::size_t batch() const override { return 4096; }
 
@@ -99,6 +97,7 @@ class PythonMap final : public PlanarMap {
   }
 
   py::object object_;
+  double unit_;
 };
 
 SystemHandle make_own_system(py::object map, const py::kwargs& given) {

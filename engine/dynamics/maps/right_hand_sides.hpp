@@ -4,7 +4,7 @@
 //   static constexpr int dimension;
 //   static constexpr std::size_t forcings;         how many numbers it depends on by time alone
 //   static constexpr bool in_lanes;                whether velocity takes any kind of number
-//   static constexpr bool own_units;               whether coordinates may have any size, each its own; those of the
+//   double unit() const;                           PlanarMap::unit, where coordinates may have any size; those of the
 //                                                  built-in fields, which leave it out, are of order one
 //   double period() const;                         0 for autonomous fields, which have no forcings
 //   void forcing(double t, double* force) const;   computes them
@@ -32,18 +32,16 @@ concept is_many = requires(const Field& field) {
   field.many().velocities(0, nullptr, nullptr, nullptr);
 };
 
-/// PlanarMap::unit of the maps of a field: Field::unit(), if there is one.
-template <typename Field>
-double unit_of(const Field& field) {
-  if constexpr (requires { field.unit(); }) return field.unit();
-  return 1;
-}
-
 /// Whether errors are judged by the size of each coordinate (integration/component_scales.hpp).
 template <typename Field>
-constexpr bool has_own_units() {
-  if constexpr (requires { Field::own_units; }) return Field::own_units;
-  return false;
+constexpr bool has_own_units = requires(const Field& field) {
+  field.unit();
+};
+/// PlanarMap::unit of the maps of a field.
+template <typename Field>
+double unit_of(const Field& field) {
+  if constexpr (has_own_units<Field>) return field.unit();
+  return 1;
 }
 
 /// State: x.
@@ -52,7 +50,7 @@ struct AlongFlow {
   static constexpr int size = Field::dimension;
   static constexpr std::size_t forcings = Field::forcings;
   static constexpr bool in_lanes = Field::in_lanes;
-  static constexpr bool own_units = has_own_units<Field>();
+  static constexpr bool own_units = has_own_units<Field>;
   const Field& field;
   template <typename V>
   LOBER_INLINE void operator()(const V* x, V* dxdt, const V* force) const {
@@ -92,7 +90,7 @@ struct WithTangents {
   static constexpr int size = n * (1 + M);
   static constexpr std::size_t forcings = Field::forcings;
   static constexpr bool in_lanes = Field::in_lanes && M == 2;
-  static constexpr bool own_units = has_own_units<Field>();
+  static constexpr bool own_units = has_own_units<Field>;
   const Field& field;
   template <typename V>
   LOBER_INLINE void operator()(const V* x, V* dxdt, const V* force) const {
@@ -137,7 +135,7 @@ struct WithAction {
   static constexpr int size = n + 1;
   static constexpr std::size_t forcings = Field::forcings;
   static constexpr bool in_lanes = false;
-  static constexpr bool own_units = has_own_units<Field>();
+  static constexpr bool own_units = has_own_units<Field>;
   const Field& field;
   double with_energy;
   void operator()(const double* x, double* dxdt, const double* force) const {

@@ -129,7 +129,7 @@ class SectionChart {
       b = 0.5 * (above - below);
     };
     measure();
-    if constexpr (has_own_units<Field>()) {
+    if constexpr (has_own_units<Field>) {
       // A unit in which v adds about as much to the energy as there is of it.
       constexpr double far = 4096, out_of_sight = 1e-9;
       const double energy = std::abs(energy_) + std::abs(c + energy_);

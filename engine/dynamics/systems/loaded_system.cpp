@@ -38,7 +38,8 @@ struct Loaded {
 /// A map of a library, for FormulaMap.
 class LoadedMap {
  public:
-  explicit LoadedMap(Loaded loaded) : loaded_(std::make_shared<const Loaded>(std::move(loaded))) {}
+  explicit LoadedMap(Loaded loaded)
+      : loaded_(std::make_shared<const Loaded>(std::move(loaded))), unit_(unit_within(loaded_->extent())) {}
 
   Point forward(Point z) const { return apply(loaded_->system->map->forward, z); }
   Point backward(Point z) const { return apply(loaded_->system->map->backward, z); }
@@ -48,7 +49,7 @@ class LoadedMap {
     if (loaded_->system->map->derivative(loaded_->parameters.data(), from.data(), d.data()) != 0) d.fill(nan);
     return {d[0], d[1], d[2], d[3]};
   }
-  [[nodiscard]] double unit() const { return unit_within(loaded_->extent()); }
+  [[nodiscard]] double unit() const { return unit_; }
 
  protected:
   [[nodiscard]] const Loaded& loaded() const { return *loaded_; }
@@ -62,6 +63,7 @@ class LoadedMap {
   }
 
   std::shared_ptr<const Loaded> loaded_;
+  double unit_;
 };
 
 /// One that has a generating function.

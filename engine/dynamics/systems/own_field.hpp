@@ -23,7 +23,6 @@ class OwnField {
   static constexpr int dimension = N;
   static constexpr std::size_t forcings = periodic ? 1 : 0;
   static constexpr bool in_lanes = false;
-  static constexpr bool own_units = true;
 
   explicit OwnField(std::shared_ptr<const VectorField> field)
       : field_(std::move(field)), unit_(unit_within(field_->extent())) {}

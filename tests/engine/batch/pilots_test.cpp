@@ -62,7 +62,7 @@ TEST_F(Pilots, TheyAreSpreadOverAGrid) {
   EXPECT_EQ(estimate(plan_of("operation = \"regions\"\ncurves = \"curve\"\n"), path("job.toml")).pilots, 0U);
 }
 
-// A job that fails takes the time until then, which is no time.
+// A job that fails takes the time until then, not that of the work.
 TEST_F(Pilots, JobsThatFailTakeNoTime) {
   EXPECT_LT(estimated("operation = \"escape\"\noptions = { system = \"capsize\", energy = 0.2 }\n"), 0.5);
 }

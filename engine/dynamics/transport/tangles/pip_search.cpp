@@ -32,7 +32,7 @@ void TangleGrowth::look() {
   constexpr int max_rounds = 12;
   find_pips();
   for (int round = 0; round < max_rounds && refine_flat_pips(); ++round) find_pips();
-  if (!found_.pips.empty()) bip_ = known_bip_ ? nearest(*known_bip_) : near_ ? nearest(*near_) : halfway().pip;
+  if (!found_.pips.empty()) bip_ = wanted_pip();
 }
 
 // Grows until U and S cross, as polygons. False where they do not.
@@ -41,7 +41,7 @@ bool TangleGrowth::find_crossing() {
   for (find_pips(); found_.pips.empty(); find_pips()) {
     if (!towards_a_crossing()) return false;
   }
-  bip_ = known_bip_ ? nearest(*known_bip_) : bip_near_ ? nearest(*bip_near_) : halfway().pip;
+  bip_ = wanted_pip();
   return true;
 }
 
@@ -143,6 +143,11 @@ bool TangleGrowth::newest_meets(const Side& one, const Side& other) {
     if (meet(Box::of(grown.points[k], grown.points[k + 1]), box)) return true;
   }
   return false;
+}
+
+std::size_t TangleGrowth::wanted_pip() const {
+  if (known_bip_) return nearest(*known_bip_);
+  return near_ ? nearest(*near_) : halfway().pip;
 }
 
 // The pip up to which U is as long as S. Along U the one grows and the other one shrinks: one orbit passes nearest to

@@ -106,6 +106,7 @@ class TangleGrowth {
   [[nodiscard]] std::string tolerance_text() const;
   bool towards_a_crossing();
   [[nodiscard]] static bool newest_meets(const Side& one, const Side& other);
+  [[nodiscard]] std::size_t wanted_pip() const;
   [[nodiscard]] Halfway halfway() const;
   [[nodiscard]] std::size_t nearest(Point point) const;
   [[nodiscard]] std::size_t nearest(Time time) const;
