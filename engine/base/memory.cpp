@@ -130,9 +130,14 @@ LargeBlocks& large_blocks() {
 }
 
 // Small arrays: an overlay of two short curves makes some forty, and each costs as much as a few of its segment pairs
-// where an allocator has to find out sizes and owners. Each thread keeps those it freed last, by powers of two.
-constexpr std::size_t alignment = 64, smallest = 64, classes = 8, kept_a_class = 16;
+// where an allocator has to find out sizes and owners. Each thread keeps those it freed last, by powers of two: as many
+// as such an overlay gives back at once, of the larger ones as many as make 64 KiB.
+constexpr std::size_t alignment = 64, smallest = 64, classes = 8, max_kept_small = 64,
+                      kept_bytes = std::size_t{64} << 10;
 constexpr std::size_t largest_small = smallest << (classes - 1);
+constexpr std::size_t kept_of(std::size_t size_class) {
+  return std::min(max_kept_small, kept_bytes / (smallest << size_class));
+}
 
 std::size_t class_of(std::size_t bytes) {
   return static_cast<std::size_t>(std::bit_width((std::max(bytes, smallest) - 1) / smallest));
@@ -143,7 +148,7 @@ std::size_t class_of(std::size_t bytes) {
 struct SmallBlocks {
   enum class State : std::uint8_t { untouched, in_use, gone } state;
   std::array<std::uint8_t, classes> count;
-  std::array<std::array<void*, kept_a_class>, classes> kept;
+  std::array<std::array<void*, max_kept_small>, classes> kept;
 };
 constinit thread_local SmallBlocks small_blocks{};
 
@@ -189,7 +194,7 @@ void free_bulk(void* memory, std::size_t bytes) noexcept {
   if (bytes <= largest_small && memory != nullptr && may_keep()) {
     const std::size_t c = class_of(bytes);
     std::uint8_t& count = small_blocks.count[c];
-    if (count < kept_a_class) {
+    if (count < kept_of(c)) {
       small_blocks.kept[c][count++] = memory;
       return;
     }

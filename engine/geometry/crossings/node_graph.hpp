@@ -24,7 +24,7 @@ constexpr unsigned bit_of(HalfEdge half_edge) {
   return 1U << index_of(half_edge);
 }
 /// The first of a set that is not empty.
-inline HalfEdge first_of(unsigned bits) {
+constexpr HalfEdge first_of(unsigned bits) {
   return static_cast<HalfEdge>(std::countr_zero(bits));
 }
 

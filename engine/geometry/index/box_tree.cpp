@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <memory>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/curve/countable.hpp"
 
 namespace lober::detail {
 namespace {
-constexpr std::uint32_t block_levels = 10;  // a task builds the subtree over 2^10 leaves, which fits the L2 cache
-}
+constexpr std::uint32_t block_levels = 10;        // a task builds the subtree over 2^10 leaves, which fits the L2 cache
+constexpr std::uint32_t uses_before_keeping = 6;  // two for each overlay: keeping takes as long as some overlays
+}  // namespace
 
 BoxTree::BoxTree(CurveView curve) : curve_(curve) {
   const std::size_t segment_count = curve_.segments();
@@ -55,6 +57,20 @@ BoxTree::BoxTree(CurveView curve) : curve_(curve) {
   });
   stalls_ = stalls;
   for (std::uint32_t level = block_levels + 1; level < levels_; ++level) build_upper(level, 0, level_size_[level]);
+}
+
+BoxTree::~BoxTree() {
+  delete kept_sums_.load(std::memory_order_relaxed);
+}
+
+const KeptSums* BoxTree::kept_sums() const {
+  if (segments() > KeptSums::max_segments) return nullptr;
+  if (const KeptSums* const kept = kept_sums_.load(std::memory_order_acquire)) return kept;
+  if (uses_.fetch_add(1, std::memory_order_relaxed) < uses_before_keeping) return nullptr;
+  auto made = std::make_unique<const KeptSums>(*this);
+  const KeptSums* present = nullptr;  // another thread may have been as fast
+  if (!kept_sums_.compare_exchange_strong(present, made.get(), std::memory_order_acq_rel)) return present;
+  return made.release();
 }
 
 // The shoelace sum of a chunk is that of its leaves plus that of the polygon of leaf beginnings, for which the kernel
@@ -120,7 +136,8 @@ bool BoxTree::sums_finite() const {
 
 std::size_t BoxTree::memory() const {
   return boxes_.capacity() * sizeof(Box) + flags_.capacity() +
-         (sums_.capacity() + chunk_sums_.capacity()) * sizeof(DD) + starts_.capacity() * sizeof(Point);
+         (sums_.capacity() + chunk_sums_.capacity()) * sizeof(DD) + starts_.capacity() * sizeof(Point) +
+         (segments() <= KeptSums::max_segments ? KeptSums::memory(segments()) : 0);
 }
 
 }  // namespace lober::detail

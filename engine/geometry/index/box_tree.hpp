@@ -5,10 +5,12 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "engine/geometry/index/kept_sums.hpp"
 #include "kernels/box_pyramid.hpp"
 #include "kernels/leaf.hpp"
 #include "lober/base/buffer.hpp"
@@ -19,8 +21,11 @@ namespace lober::detail {
 class BoxTree {
  public:
   /// Builds the tree of a curve that stays alive as long as the tree does. O(N), parallel; about 2 bytes per
-  /// point. The curve is not validated: NaN coordinates give a useless tree, no fault.
+  /// point, see kept_sums(). The curve is not validated: NaN coordinates give a useless tree, no fault.
   explicit BoxTree(CurveView curve);
+  ~BoxTree();
+  BoxTree(const BoxTree&) = delete;
+  BoxTree& operator=(const BoxTree&) = delete;
 
   [[nodiscard]] const CurveView& curve() const { return curve_; }
   [[nodiscard]] std::size_t segments() const { return curve_.segments(); }
@@ -53,7 +58,10 @@ class BoxTree {
   [[nodiscard]] const Point* leaf_points(std::size_t leaf) const {
     return leaf + 1 == leaves() ? tail_.data() : curve_.points.data() + leaf * leaf_size;
   }
-  /// Bytes held besides the curve.
+  /// The sums of a short curve that has been used several times; null until then, and of a long one always. Any thread
+  /// may call it.
+  [[nodiscard]] const KeptSums* kept_sums() const;
+  /// Bytes held besides the curve, kept sums included, be they there yet or not.
   [[nodiscard]] std::size_t memory() const;
 
  private:
@@ -72,6 +80,8 @@ class BoxTree {
   Buffer<DD> chunk_sums_;
   Buffer<Point> starts_;
   std::array<Point, leaf_size + 1> tail_{};
+  mutable std::atomic<const KeptSums*> kept_sums_{nullptr};
+  mutable std::atomic<std::uint32_t> uses_{0};
 };
 
 }  // namespace lober::detail

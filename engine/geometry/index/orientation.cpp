@@ -13,10 +13,14 @@ namespace {
 
 // Twice the area, from the sums that the tree brings along, if its sign is certain; else 0.
 double certain_twice_area(const BoxTree& tree) {
-  const Point origin = tree.leaf_begin(0);
   DD twice_area;
-  for (std::size_t k = 0; k < tree.chunk_sums().size(); ++k) {
-    twice_area += tree.chunk_sums()[k] + shoelace(*tree.chunk_points(k), *tree.chunk_points(k + 1), origin);
+  if (const KeptSums* const kept = tree.kept_sums()) {
+    twice_area = kept->total();
+  } else {
+    const Point origin = tree.leaf_begin(0);
+    for (std::size_t k = 0; k < tree.chunk_sums().size(); ++k) {
+      twice_area += tree.chunk_sums()[k] + shoelace(*tree.chunk_points(k), *tree.chunk_points(k + 1), origin);
+    }
   }
   // A term is wrong by 2^-102 of the square of the extent at most, an addition by less; what underflows is lost whole.
   const double extent = tree.box().extent();

@@ -114,8 +114,22 @@ SearchCounts search_block(const TreeWalk& search, TreeNode root, SearchCounts co
   return counts;
 }
 
+SearchCounts search_few(const TreeWalk& search, const BoxTree& first, const BoxTree& second, PairConsumer& consumer) {
+  TreeWalk::Scratch scratch(0);
+  scratch.counts.boxes_tested = 1;
+  if (!meet(first.box(), second.box())) {
+    scratch.counts.blocks_skipped = 1;
+    return scratch.counts;
+  }
+  if (consumer.wants(0)) search.walk_few(consumer, scratch);
+  consumer.finish(0);
+  scratch.counts.blocks_searched = 1;
+  return scratch.counts;
+}
+
 SearchCounts search_trees(const BoxTree& first, const BoxTree& second, bool self, PairConsumer& consumer) {
   TreeWalk search(first, second, self);
+  if (search.has_few_leaves()) return search_few(search, first, second, consumer);
   SearchCounts counts;
   std::vector<TreeNode> list = search.start(counts);
   if (first.root().level <= block_level) return search_block(search, first.root(), counts, list, consumer);

@@ -79,7 +79,7 @@ class TreeWalk {
   /// Memory of a walk from a node of `level`, what it counts, and the segment of the first curve before which nothing
   /// is wanted any more.
   struct Scratch {
-    explicit Scratch(std::uint32_t level) : carried((level + 1) / levels_at_once + 1) {}
+    explicit Scratch(std::uint32_t level) : carried(level == 0 ? 0 : (level + 1) / levels_at_once + 1) {}
     std::vector<Carried> carried;  // one for each level that the walk passes through
     Buffer<SegmentPair> pairs;
     std::uint32_t skip_before = 0;
@@ -108,6 +108,35 @@ class TreeWalk {
     }
   }
 
+  /// Whether the trees have so few leaves that levels above them save nothing.
+  [[nodiscard]] bool has_few_leaves() const {
+    return !self_ && !stalls_ && std::max(first_.leaves(), second_.leaves()) <= few_leaves;
+  }
+  /// Hands the pairs of all leaves of two such trees to the consumer, as one block: those of the first tree, four at a
+  /// time, are held against all of the second that meet its box.
+  void walk_few(PairConsumer& consumer, Scratch& scratch) const {
+    std::array<TreeNode, few_leaves> list;
+    std::array<std::array<TreeNode, few_leaves + 1>, nodes_at_once> near;
+    std::array<TreeNode*, nodes_at_once> met{};
+    for (std::size_t i = 0; i < nodes_at_once; ++i) met[i] = near[i].data();
+    const BoxQuery query(first_.box());
+    std::size_t size = 0;
+    for (std::uint32_t leaf = 0; leaf < second_.leaves(); ++leaf) {
+      list[size] = {0, leaf};
+      size += static_cast<std::size_t>(meet(query, second_.leaf_boxes()[leaf]));
+    }
+    scratch.counts.boxes_tested += second_.leaves();
+    for (std::size_t begin = 0; begin < first_.leaves(); begin += nodes_at_once) {
+      const std::size_t present = std::min(nodes_at_once, first_.leaves() - begin);
+      std::array<std::size_t, nodes_at_once> count{};
+      distribute(first_.leaf_boxes() + begin, present, second_.pyramid(), list.data(), size, met, count);
+      scratch.counts.boxes_tested += present * size;
+      for (std::size_t i = 0; i < present; ++i) {
+        walk({0, static_cast<std::uint32_t>(begin + i)}, {near[i].data(), count[i]}, 0, consumer, scratch);
+      }
+    }
+  }
+
   /// Uses the frames from now on, for a curve with itself. They must outlive the search.
   void use(const NodeFrames& frames) { frames_ = &frames; }
   /// Uses the strips of two curves.
@@ -119,6 +148,8 @@ class TreeWalk {
   void use_boxes_only() { strips1_ = strips2_ = nullptr; }
 
  private:
+  static constexpr std::size_t few_leaves = 32;
+
   void drop_beside(TreeNode node, Buffer<TreeNode>& list, std::size_t& count, SearchCounts& counts) const {
     if (frames_ == nullptr && strips1_ == nullptr) return;
     counts.boxes_tested += count;

@@ -1,7 +1,6 @@
 #include "engine/geometry/overlay/faces.hpp"
 
 #include <array>
-#include <bit>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "kernels/shoelace.hpp"
@@ -53,17 +52,42 @@ constexpr Arrivals make_arrivals(Orientations orientations, Membership wanted) {
   return bits;
 }
 
+// The half-edges that a node has in a set of them. Four bits need no instruction that older processors lack.
+constexpr std::array<std::uint8_t, 16> sizes{0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
+
+constexpr bool on_second(HalfEdge half_edge) {
+  return half_edge == forward2 || half_edge == backward2;
+}
+
+// The walks round the faces of one membership at a node, for each rotation.
+struct Corners {
+  Arrivals arrive{}, leave{};              // half-edges, as bits
+  std::array<std::int8_t, 6> times_gap{};  // what they collect there, where it is a point: a multiple of its gap
+};
+constexpr Corners make_corners(Orientations orientations, Membership wanted) {
+  Corners corners{.arrive = make_arrivals(orientations, wanted)};
+  for (std::size_t order = 0; order < 6; ++order) {
+    for (unsigned bits = corners.arrive[order]; bits != 0; bits &= bits - 1) {
+      const HalfEdge arrive = first_of(bits), leave = turns[order][index_of(arrive)].leave;
+      corners.leave[order] = static_cast<std::uint8_t>(corners.leave[order] | bit_of(leave));
+      corners.times_gap[order] =
+          static_cast<std::int8_t>(corners.times_gap[order] + on_second(leave) - on_second(arrive));
+    }
+  }
+  return corners;
+}
+
 constexpr std::size_t number_of(bool first, bool second) {
   return 2 * static_cast<std::size_t>(first) + static_cast<std::size_t>(second);
 }
-constexpr std::array<std::array<Arrivals, 4>, 4> make_all_arrivals() {
-  std::array<std::array<Arrivals, 4>, 4> all{};
+constexpr std::array<std::array<Corners, 4>, 4> make_all_corners() {
+  std::array<std::array<Corners, 4>, 4> all{};
   for (const bool clockwise1 : {false, true}) {
     for (const bool clockwise2 : {false, true}) {
       for (const bool inside1 : {false, true}) {
         for (const bool inside2 : {false, true}) {
           all[number_of(clockwise1, clockwise2)][number_of(inside1, inside2)] =
-              make_arrivals({clockwise1, clockwise2}, {inside1, inside2});
+              make_corners({clockwise1, clockwise2}, {inside1, inside2});
         }
       }
     }
@@ -71,11 +95,14 @@ constexpr std::array<std::array<Arrivals, 4>, 4> make_all_arrivals() {
   return all;
 }
 // They are few, and small curves have few nodes.
-constexpr std::array<std::array<Arrivals, 4>, 4> all_arrivals = make_all_arrivals();
+constexpr std::array<std::array<Corners, 4>, 4> all_corners = make_all_corners();
 
+const Corners& corners_of(Orientations orientations, Membership wanted) {
+  return all_corners[number_of(orientations.clockwise1, orientations.clockwise2)]
+                    [number_of(wanted.inside1, wanted.inside2)];
+}
 const Arrivals& arrivals(Orientations orientations, Membership wanted) {
-  return all_arrivals[number_of(orientations.clockwise1, orientations.clockwise2)]
-                     [number_of(wanted.inside1, wanted.inside2)];
+  return corners_of(orientations, wanted).arrive;
 }
 
 // The end of a shared arc at which a half-edge is.
@@ -93,10 +120,6 @@ bool at_last(HalfEdge half_edge, int direction) {
   return false;
 }
 
-constexpr bool on_second(HalfEdge half_edge) {
-  return half_edge == forward2 || half_edge == backward2;
-}
-
 // The sum that a walk collects at a node: S1 - S2 where it comes along C1 and goes on along C2, S2 - S1 the other way
 // round (ends of a shared arc apart, its first vertex included).
 DD at_node(const NodeGraph& graph, const ArcSums& sums, std::uint32_t node, HalfEdge arrive, HalfEdge leave) {
@@ -110,12 +133,17 @@ DD at_node(const NodeGraph& graph, const ArcSums& sums, std::uint32_t node, Half
   return sum;
 }
 
+// The product, which is exact.
+DD times(int factor, DD sum) {
+  if (factor == 1) return sum;
+  if (factor == 0) return {};
+  return factor == -1 ? -sum : DD{static_cast<double>(factor), 0} * sum;
+}
+
 // How often a set of walks passes the first vertex of each curve, forward less back.
 struct Turns {
   int round1 = 0, round2 = 0;
-  [[nodiscard]] DD sum(const ArcSums& sums) const {
-    return DD{static_cast<double>(round1), 0} * sums.total1 + DD{static_cast<double>(round2), 0} * sums.total2;
-  }
+  [[nodiscard]] DD sum(const ArcSums& sums) const { return times(round1, sums.total1) + times(round2, sums.total2); }
 };
 
 }  // namespace
@@ -125,7 +153,7 @@ void fail_not_simple() {
 }
 
 int sectors_at(std::uint8_t rotation, Orientations orientations, Membership wanted) {
-  return std::popcount(arrivals(orientations, wanted)[rotation]);
+  return sizes[arrivals(orientations, wanted)[rotation]];
 }
 
 namespace {
@@ -217,7 +245,7 @@ std::array<Faces, 2> walk_faces(const NodeGraph& graph, const ArcSums& sums, Ori
   for (std::size_t kind = 0; kind < 2; ++kind) {
     std::size_t corners = 0;
     for (std::size_t order = 0; order < 6; ++order) {
-      corners += nodes_of_order[order] * static_cast<std::size_t>(std::popcount(arrive[kind][order]));
+      corners += nodes_of_order[order] * sizes[arrive[kind][order]];
     }
     faces[kind].steps.resize(corners);
     faces[kind].area.reserve(corners / 2 + 1);
@@ -233,18 +261,6 @@ std::array<Faces, 2> walk_faces(const NodeGraph& graph, const ArcSums& sums, Ori
 }
 
 namespace {
-
-// Where all nodes are points, what the walks of a membership collect at one depends on its rotation only: a multiple
-// of the gap. Returns the factor.
-int times_gap(std::uint8_t order, std::uint8_t arrivals_wanted) {
-  int times = 0;
-  for (unsigned bits = arrivals_wanted; bits != 0; bits &= bits - 1) {
-    const HalfEdge arrive = first_of(bits);
-    const HalfEdge leave = turns[order][index_of(arrive)].leave;
-    times += static_cast<int>(on_second(leave)) - static_cast<int>(on_second(arrive));
-  }
-  return times;
-}
 
 // Several sums over the nodes at once: of_block(begin, end) adds them up over a block, and blocks are joined in order.
 template <std::size_t sums, typename SumsOfBlock>
@@ -267,8 +283,9 @@ std::array<DD, sums> sums_over_nodes(std::size_t count, const SumsOfBlock& of_bl
   return total;
 }
 
-// Sums of the gaps over the nodes of either order of a proper crossing: curves that meet in points that need no span
-// have no others.
+// Where all nodes are points, what the walks of a membership collect at one depends on its rotation only. Sums of the
+// gaps over the nodes of either order of a proper crossing: curves that meet in points that need no span have no
+// others.
 std::array<DD, 2> gaps_by_order(const NodeGraph& graph, const ArcSums& sums) {
   return sums_over_nodes<2>(graph.size(), [&](std::uint32_t begin, std::uint32_t end) {
     RunningSum to_left, to_right;
@@ -279,16 +296,16 @@ std::array<DD, 2> gaps_by_order(const NodeGraph& graph, const ArcSums& sums) {
   });
 }
 
-using ArrivalsWanted = std::array<Arrivals, 3>;  ///< arrivals of three memberships, by rotation
+using ThreeCorners = std::array<const Corners*, 3>;  ///< those of three memberships
 
 // The same with shared arcs, node by node, for each membership.
-std::array<DD, 3> collected_at_nodes(const NodeGraph& graph, const ArcSums& sums, const ArrivalsWanted& wanted) {
+std::array<DD, 3> collected_at_nodes(const NodeGraph& graph, const ArcSums& sums, const ThreeCorners& corners) {
   return sums_over_nodes<3>(graph.size(), [&](std::uint32_t begin, std::uint32_t end) {
     std::array<RunningSum, 3> sum;
     for (std::uint32_t node = begin; node < end; ++node) {
       const std::uint8_t order = graph.order[node];
       for (std::size_t m = 0; m < 3; ++m) {
-        for (unsigned bits = wanted[m][order]; bits != 0; bits &= bits - 1) {
+        for (unsigned bits = corners[m]->arrive[order]; bits != 0; bits &= bits - 1) {
           const HalfEdge arrive = first_of(bits);
           sum[m].add(at_node(graph, sums, node, arrive, turns[order][index_of(arrive)].leave));
         }
@@ -303,27 +320,23 @@ std::array<DD, 3> collected_at_nodes(const NodeGraph& graph, const ArcSums& sums
 FaceTotals total_of_faces(const NodeGraph& graph, const ArcSums& sums, Orientations orientations) {
   constexpr std::array<Membership, 3> memberships{{{true, false}, {false, true}, {true, true}}};
   const std::uint32_t count = graph.size();
-  ArrivalsWanted wanted;
-  for (std::size_t m = 0; m < 3; ++m) wanted[m] = arrivals(orientations, memberships[m]);
+  ThreeCorners corners;
+  for (std::size_t m = 0; m < 3; ++m) corners[m] = &corners_of(orientations, memberships[m]);
   std::array<DD, 3> total{};
   if (graph.spans.empty()) {
     const std::array<DD, 2> gaps = gaps_by_order(graph, sums);
     for (std::size_t m = 0; m < 3; ++m) {
       for (const std::uint8_t order : {rightward_to_left, leftward_to_right})
-        total[m] += DD{static_cast<double>(times_gap(order, wanted[m][order])), 0} * gaps[order];
+        total[m] += times(corners[m]->times_gap[order], gaps[order]);
     }
   } else {
-    total = collected_at_nodes(graph, sums, wanted);
+    total = collected_at_nodes(graph, sums, corners);
   }
   for (std::size_t m = 0; m < 3; ++m) {
     // Whole turns: a walk goes along the way past the first vertex if it leaves the node before by that way, and back
     // if it leaves the node after.
     const auto leaving = [&](std::uint32_t node, HalfEdge by) {
-      int times = 0;
-      for (unsigned bits = wanted[m][graph.order[node]]; bits != 0; bits &= bits - 1) {
-        times += turns[graph.order[node]][index_of(first_of(bits))].leave == by;
-      }
-      return times;
+      return static_cast<int>(corners[m]->leave[graph.order[node]] >> index_of(by) & 1U);
     };
     const auto next = [&](std::uint32_t rank) { return rank + 1 == count ? 0 : rank + 1; };
     Turns rounds;

@@ -5,6 +5,7 @@
 #include <tbb/global_control.h>
 
 #include <cstring>
+#include <memory>
 #include <string>
 
 #include "engine/base/parallel/parallel.hpp"
@@ -135,9 +136,14 @@ TEST(BoxTree, IsTheSameForAnyNumberOfThreads) {
   const tbb::global_control at_most(tbb::global_control::max_allowed_parallelism, 7);
   Random random(seed());
   const Curve curve = random_walk(random, 70001, true);
-  const BoxTree expected = with_threads(1, [&] { return BoxTree(curve); });
+  const auto made_by = [&](int threads) {
+    return with_threads(threads, [&] { return std::make_unique<const BoxTree>(curve); });
+  };
+  const auto one = made_by(1);
+  const BoxTree& expected = *one;
   for (const int threads : {2, 7}) {
-    const BoxTree tree = with_threads(threads, [&] { return BoxTree(curve); });
+    const auto made = made_by(threads);
+    const BoxTree& tree = *made;
     EXPECT_EQ(std::memcmp(tree.leaf_boxes(), expected.leaf_boxes(), tree.leaves() * sizeof(Box)), 0);
     EXPECT_EQ(std::memcmp(tree.leaf_sums(), expected.leaf_sums(), tree.leaves() * sizeof(DD)), 0);
     EXPECT_EQ(
