@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <mutex>
 #include <set>
+#include <string>
+#include <unordered_map>
 #include <utility>
 
 namespace lober::detail {
@@ -16,6 +18,8 @@ struct Noted {
   // The identity sees hard links; the path sees a file that was replaced after it was read.
   std::set<Identity> files;
   std::set<std::string> paths;
+  // Inputs as they were named: a batch opens each several times, and to follow a path takes many calls of the system.
+  std::unordered_map<std::string, Identity> named;
 };
 
 Noted& noted() {
@@ -43,13 +47,18 @@ InputGuard::~InputGuard() {
   if (--noted().guards > 0) return;
   noted().files.clear();
   noted().paths.clear();
+  noted().named.clear();
 }
 
 void note_input(const std::string& path, const struct ::stat& status) {
   if (!S_ISREG(status.st_mode)) return;
   const std::lock_guard lock(noted().mutex);
   if (noted().guards == 0) return;
-  noted().files.emplace(status.st_dev, status.st_ino);
+  const Identity identity(status.st_dev, status.st_ino);
+  const auto named = noted().named.find(path);
+  if (named != noted().named.end() && named->second == identity) return;
+  noted().named.insert_or_assign(path, identity);
+  noted().files.insert(identity);
   if (std::string resolved = canonical(path); !resolved.empty()) noted().paths.insert(std::move(resolved));
 }
 

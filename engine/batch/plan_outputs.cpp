@@ -10,7 +10,8 @@ namespace lober::detail {
 
 OutputFolder output_folder_of(const std::string& root, const std::string& manifest_path, const Plan& plan,
                               const std::string& store) {
-  std::set<std::string> inputs;
+  std::set<std::string> inputs;  // none have to be protected where nothing is written
+  if (!plan.may_write()) return {root, manifest_path, {}, store};
   for (const CurveSource& curve : plan.curves) {
     if (!curve.file.empty()) inputs.insert(curve.file);
   }
@@ -18,6 +19,7 @@ OutputFolder output_folder_of(const std::string& root, const std::string& manife
 }
 
 void accept_outputs(const OutputFolder& folder, const std::string& manifest_path, const Plan& plan) {
+  if (!plan.may_write()) return;
   std::map<std::string, std::size_t> writers;
   for (std::size_t number = 0; number < plan.jobs.size(); ++number) {
     const std::string name = plan.output_of(plan.jobs[number]);

@@ -99,6 +99,11 @@ class Planner {
 
 }  // namespace
 
+bool Plan::may_write() const {
+  return std::any_of(groups.begin(), groups.end(),
+                     [](const JobGroup& group) { return static_cast<bool>(group.operation->output); });
+}
+
 std::string Plan::output_of(const Job& job) const {
   const JobGroup& group = group_of(job);
   if (!group.operation->output) return {};

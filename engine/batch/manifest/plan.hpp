@@ -25,6 +25,8 @@ struct Plan {
   [[nodiscard]] const JobGroup& group_of(const Job& job) const { return groups[job.group]; }
   /// The name of a curve; empty for no_curve.
   [[nodiscard]] std::string name(CurveId curve) const { return curve == no_curve ? "" : curves[curve].name(); }
+  /// Whether some jobs may write files.
+  [[nodiscard]] bool may_write() const;
   /// The name of the file that a job writes; empty for none.
   [[nodiscard]] std::string output_of(const Job& job) const;
   /// The plan as CBOR: the same bytes for the same plan.

@@ -1,17 +1,11 @@
 #include "engine/batch/store/result_table.hpp"
 
-#include <cmath>
 #include <cstring>
 
-#include "engine/batch/store/checksum.hpp"
 #include "engine/batch/store/store_schema.hpp"
 
 namespace lober::detail {
 namespace {
-
-std::string_view bytes_of(const JobKey& key) {
-  return {reinterpret_cast<const char*>(key.data()), key.size()};
-}
 
 std::optional<JobKey> key_of(std::string_view bytes) {
   JobKey key{};
@@ -19,8 +13,6 @@ std::optional<JobKey> key_of(std::string_view bytes) {
   std::memcpy(key.data(), bytes.data(), key.size());
   return key;
 }
-
-constexpr std::size_t first_value = 12;  // its index among the columns, from 1
 
 // A statement that is at a row keeps what it read from being written over.
 class Reading {
@@ -65,18 +57,6 @@ class Labels {
   std::string first_, second_;
 };
 
-void bind_number(Statement& statement, int index, const Column& column, double value) {
-  constexpr double exact = 9007199254740992;  // 2^53
-  if (column.kind == Column::Kind::count && std::fabs(value) < exact) {
-    const auto whole = static_cast<std::int64_t>(value);
-    if (static_cast<double>(whole) == value && !(whole == 0 && std::signbit(value))) {
-      statement.bind(index, whole);
-      return;
-    }
-  }
-  statement.bind(index, value);  // NaN becomes NULL
-}
-
 }  // namespace
 
 Statement ResultTable::statement(const std::string& before, const std::string& behind) const {
@@ -88,41 +68,6 @@ Statement& ResultTable::select() const {
   std::string columns = "SELECT key, run, seconds, message, lists, sum";
   for (const Column& column : operation_.columns) columns += ", " + quoted_name(column.name);
   return select_.emplace(statement(columns + " FROM ", " WHERE id = ?1"));
-}
-
-Statement& ResultTable::insert() const {
-  if (insert_) return *insert_;
-  std::string parameters = "?1";
-  for (std::size_t k = 2; k <= first_value + operation_.columns.size() - 1; ++k)
-    parameters += ", ?" + std::to_string(k);
-  return insert_.emplace(statement("INSERT INTO ", " VALUES (" + parameters + ")"));
-}
-
-// The parameters of a row of a block: what stands before the seconds, they and the sum, and the values. Before all
-// rows comes the run.
-constexpr int fixed_parameters = 7;
-
-Statement& ResultTable::insert_block() const {
-  if (insert_block_) return *insert_block_;
-  const std::size_t parameters = fixed_parameters + operation_.columns.size();
-  std::string rows;
-  for (std::size_t row = 0; row < block_rows; ++row) {
-    std::size_t number = 1 + row * parameters;
-    const auto next = [&number] { return "?" + std::to_string(++number); };
-    rows += std::string(row == 0 ? "" : ", ") + "(NULL, " + next() + ", ?1";
-    for (int k = 0; k < 5; ++k) rows += ", " + next();
-    rows += ", NULL, NULL, " + next();
-    for (std::size_t k = 0; k < operation_.columns.size(); ++k) rows += ", " + next();
-    rows += ")";
-  }
-  return insert_block_.emplace(statement("INSERT INTO ", " VALUES " + rows));
-}
-
-std::int64_t ResultTable::checksum(const Result& result, std::int64_t run, std::string_view lists) const {
-  Checksum sum;
-  sum.add(bytes_of(result.key)).add(std::uint64_t{result.failed()}).add(result.seconds);
-  sum.add(static_cast<std::uint64_t>(run)).add(result.error).add(lists);
-  return sum.add(std::span<const double>(result.values)).sum();
 }
 
 void ResultTable::each_row(std::int64_t last, bool backwards, const std::function<void(const Row&)>& take) const {
@@ -162,49 +107,10 @@ std::optional<Result> ResultTable::get(std::int64_t row) const {
   }
 }
 
-std::int64_t ResultTable::put(std::optional<std::int64_t> row, const Result& result, std::int64_t run,
-                              const Plan* plan) const {
-  Statement& whole = insert();  // all parameters are bound anew, those that are NULL too
-  const std::string lists = encoded_lists(result.lists, operation_.lists);
-  row ? whole.bind(1, *row) : whole.bind_null(1);
-  whole.bind_blob(2, bytes_of(result.key)).bind(3, run);
-  const Labels labels(plan, result.job);
-  labels.bind(whole, 4);
-  whole.bind(8, result.seconds);
-  result.failed() ? whole.bind(9, std::string_view(result.error)) : whole.bind_null(9);
-  lists.empty() ? whole.bind_null(10) : whole.bind(10, std::string_view(lists));
-  whole.bind(11, checksum(result, run, lists));
-  for (std::size_t k = 0; k < operation_.columns.size(); ++k) {
-    const int index = static_cast<int>(first_value + k);
-    if (result.failed()) {
-      whole.bind_null(index);
-    } else {
-      bind_number(whole, index, operation_.columns[k], result.values[k]);
-    }
-  }
-  whole.run();
-  return sqlite3_last_insert_rowid(database_.handle());
-}
-
-std::int64_t ResultTable::put_block(std::span<const Result* const, block_rows> results, std::int64_t run,
-                                    const Plan* plan) const {
-  Statement& whole = insert_block();
-  std::vector<Labels> labels;
-  labels.reserve(block_rows);
-  whole.bind(1, run);
-  int index = 2;
-  for (const Result* const result : results) {
-    const Labels& label = labels.emplace_back(result->job == no_job ? nullptr : plan, result->job);
-    whole.bind_blob(index, bytes_of(result->key));
-    label.bind(whole, index + 1);
-    whole.bind(index + 5, result->seconds).bind(index + 6, checksum(*result, run, {}));
-    index += fixed_parameters;
-    for (std::size_t k = 0; k < operation_.columns.size(); ++k) {
-      bind_number(whole, index++, operation_.columns[k], result->values[k]);
-    }
-  }
-  whole.run();
-  return sqlite3_last_insert_rowid(database_.handle());
+std::int64_t ResultTable::put(std::span<const Result* const> results, std::int64_t run, const Plan* plan,
+                              std::optional<std::int64_t> row) const {
+  if (!new_rows_) new_rows_ = std::make_unique<NewRows>(database_, operation_);
+  return new_rows_->insert(results, run, plan, row);
 }
 
 void ResultTable::remove(std::int64_t row) const {

@@ -215,37 +215,29 @@ void Store::discard(const JobKey& key) {
   if (Known* const known = known_.find(key)) known->damaged = true;
 }
 
-// Results of one table that are new there, written many at a time. `known_` has them, but not yet their rows.
+// Results of one table that are new there, written all at a time. `known_` has them, but not yet their rows.
 class Store::NewResults {
  public:
   NewResults(Store& store, bool shown) : store_(store), plan_(shown ? &*store.plan_ : nullptr) {}
   void add(std::uint32_t table, const Result& result) {
-    if (count_ == results_.size() || (count_ > 0 && table != table_)) write();
+    if (table != table_) write();
     table_ = table;
-    results_[count_++] = &result;
+    results_.push_back(&result);
   }
   void write() {
-    const std::span<const Result* const> all = std::span(results_).first(std::exchange(count_, 0));
-    const ResultTable& table = store_.tables_[table_];
-    if (all.size() == results_.size()) {
-      note(all, table.put_block(results_, store_.run_, plan_));
-    } else {
-      for (const Result* const& one : all) note({&one, 1}, table.put(std::nullopt, *one, store_.run_, plan_));
-    }
+    if (results_.empty()) return;
+    const std::int64_t last_row = store_.tables_[table_].put(results_, store_.run_, plan_);
+    std::int64_t row = last_row - static_cast<std::int64_t>(results_.size());
+    for (const Result* const result : results_) store_.known_.find(result->key)->row = ++row;
+    store_.last_rows_[table_] = std::max(store_.last_rows_[table_], last_row);
+    results_.clear();
   }
 
  private:
-  void note(std::span<const Result* const> results, std::int64_t last_row) {
-    std::int64_t row = last_row - static_cast<std::int64_t>(results.size());
-    for (const Result* const result : results) store_.known_.find(result->key)->row = ++row;
-    store_.last_rows_[table_] = std::max(store_.last_rows_[table_], last_row);
-  }
-
   Store& store_;
   const Plan* plan_;
   std::uint32_t table_ = 0;
-  std::array<const Result*, ResultTable::block_rows> results_{};
-  std::size_t count_ = 0;
+  std::vector<const Result*> results_;
 };
 
 void Store::append(std::span<const Result> results, const InputDigests& digests) {
@@ -259,8 +251,8 @@ void Store::append(std::span<const Result> results, const InputDigests& digests)
       if (k + 4 < results.size()) known_.prefetch(results[k + 4].key);
       const std::uint32_t table = table_of(*plan_, results[k].job);
       const auto [known, absent] = known_.try_emplace(results[k].key, Known{0, no_job, table, true});
-      if (absent && ResultTable::fits_block(results[k])) {
-        known = {0, shown ? results[k].job : no_job, table, false};
+      if (absent) {
+        known = {0, shown ? results[k].job : no_job, table, results[k].failed()};
         fresh.add(table, results[k]);
       } else {
         fresh.write();
@@ -288,10 +280,11 @@ void Store::put(Known& known, bool absent, std::uint32_t table, const Result& re
   const bool is_new = absent || known.damaged;
   // A failure gives way, unless another process has put a result into its place.
   if (is_new || (known.failed && tables_[known.table].remove_failure(known.row))) {
-    const std::int64_t run = result.run != 0 ? result.run : run_;
+    const Result* const one = &result;
     const std::optional<std::int64_t> row = is_new ? std::nullopt : std::optional(known.row);
     const std::uint32_t before = known.job;
-    known = {tables_[table].put(row, result, run, plan), plan != nullptr ? result.job : no_job, table, result.failed()};
+    known = {tables_[table].put({&one, 1}, run_, plan, row), plan != nullptr ? result.job : no_job, table,
+             result.failed()};
     last_rows_[table] = std::max(last_rows_[table], known.row);
     if (plan != nullptr && before != no_job && before != result.job) put_repeat(before, known);
   } else {
