@@ -55,6 +55,7 @@ const KernelTable LOBER_KERNELS{
     .parts_needed = all_parts_needed,
     .fit_smooth_segments = fit_windows,
     .approach_crossings = approach_all,
+    .end_arcs = end_all_arcs,
     .smooth_chord_areas = fit_all,
 };
 

@@ -118,9 +118,14 @@ void fit_smooth_segments(const Point* const* windows, std::size_t count, SmoothS
   kernels().fit_smooth_segments(windows, count, segments);
 }
 
-void approach_crossings(SmoothApproach* pairs, std::size_t count, const SmoothSegment* shapes1,
-                        const SmoothSegment* shapes2) {
-  kernels().approach_crossings(pairs, count, shapes1, shapes2);
+void approach_crossings(SmoothPair* pairs, const std::uint32_t* numbers, std::size_t count,
+                        const SmoothSegment* shapes1, const SmoothSegment* shapes2) {
+  kernels().approach_crossings(pairs, numbers, count, shapes1, shapes2);
+}
+
+void end_arcs(const SmoothPair* pairs, std::size_t count, const SmoothSegment* shapes1, const SmoothSegment* shapes2,
+              EndOfArcs* ends) {
+  kernels().end_arcs(pairs, count, shapes1, shapes2, ends);
 }
 
 StraightSegments smooth_chord_areas(const Point* points, std::size_t count, double* areas, double* errors,

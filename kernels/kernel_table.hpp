@@ -63,8 +63,10 @@ struct KernelTable {
   void (*parts_needed)(const double* lengths, const double* curvatures, std::size_t count, PartsAsked asked,
                        double* parts);
   void (*fit_smooth_segments)(const Point* const* windows, std::size_t count, SmoothSegment* segments);
-  void (*approach_crossings)(SmoothApproach* pairs, std::size_t count, const SmoothSegment* shapes1,
-                             const SmoothSegment* shapes2);
+  void (*approach_crossings)(SmoothPair* pairs, const std::uint32_t* numbers, std::size_t count,
+                             const SmoothSegment* shapes1, const SmoothSegment* shapes2);
+  void (*end_arcs)(const SmoothPair* pairs, std::size_t count, const SmoothSegment* shapes1,
+                   const SmoothSegment* shapes2, EndOfArcs* ends);
   StraightSegments (*smooth_chord_areas)(const Point* points, std::size_t count, double* areas, double* errors,
                                          std::uint8_t* smooth);
 };

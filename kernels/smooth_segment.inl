@@ -5,237 +5,11 @@
 #pragma once
 
 #include "kernels/point.hpp"
-#include "kernels/simd.hpp"
+#include "kernels/smooth_fit.inl"
 #include "kernels/smooth_segment.hpp"
 
 namespace lober::detail {
 namespace {
-
-// Fits are computed side by side in as many lanes as the instruction set has.
-#ifdef __AVX512F__
-constexpr std::size_t fit_lanes = 8;
-#else
-constexpr std::size_t fit_lanes = lanes;
-#endif
-using Values = double __attribute__((vector_size(8 * fit_lanes)));
-using ValueMask = std::int64_t __attribute__((vector_size(8 * fit_lanes)));
-
-LOBER_INLINE Values values_at(const double* from) {
-  Values values;
-  __builtin_memcpy(&values, from, sizeof values);
-  return values;
-}
-LOBER_INLINE void store_values(double* to, Values values) {
-  __builtin_memcpy(to, &values, sizeof values);
-}
-LOBER_INLINE Values all_of(double value) {
-  return value - Values{};
-}
-LOBER_INLINE Values magnitude_of(Values a) {
-  return __builtin_bit_cast(Values, __builtin_bit_cast(ValueMask, a) & 0x7fffffffffffffff);
-}
-LOBER_INLINE Values greater(Values a, Values b) {
-  return a < b ? b : a;
-}
-LOBER_INLINE Values select(ValueMask mask, Values a, Values b) {
-  return mask ? a : b;
-}
-LOBER_INLINE Values root_of(Values a) {
-#ifdef __AVX512F__
-  return _mm512_maskz_sqrt_pd(0xff, a);  // the form without a mask makes GCC 12 warn of its own header
-#else
-  return square_root(a);
-#endif
-}
-// Bit k is that of lane k.
-LOBER_INLINE unsigned bits_of(ValueMask mask) {
-#ifdef __AVX512F__
-  return _mm512_movepi64_mask(__builtin_bit_cast(__m512i, mask));
-#else
-  return mask_bits(mask);
-#endif
-}
-LOBER_INLINE ValueMask mask_of(unsigned bits) {
-#ifdef __AVX512F__
-  return __builtin_bit_cast(ValueMask, _mm512_movm_epi64(static_cast<__mmask8>(bits)));
-#else
-  const auto all = static_cast<std::int64_t>(bits);
-  return (ValueMask{all, all, all, all} & ValueMask{1, 2, 4, 8}) != 0;
-#endif
-}
-
-// Chord k of a window leads from its point k to the next, turn k is the one at point k. Chord j and the `apart`-th
-// after it are usable for each other's fit where neither is much longer and they lead much the same way.
-LOBER_INLINE ValueMask usable(Values ax, Values ay, Values a, Values bx, Values by, Values b, int apart) {
-  const Values uneven = all_of(SmoothLimits::uneven * (1 << (apart - 1)));
-  return (a <= uneven * b) & (b <= uneven * a) & (ax * bx + ay * by > all_of(SmoothLimits::cosine_of_stray) * (a * b));
-}
-LOBER_INLINE ValueMask sharp_turn(Values ax, Values ay, Values bx, Values by, Values lengths) {
-  return ~(ax * bx + ay * by > all_of(SmoothLimits::cosine_of_corner) * lengths);
-}
-LOBER_INLINE Values sine_of_turn(Values ax, Values ay, Values bx, Values by, Values lengths) {
-  return select(lengths > all_of(0), (ax * by - ay * bx) / lengths, all_of(0));
-}
-LOBER_INLINE ValueMask outstanding_turn(Values before, Values turn, Values after) {
-  return magnitude_of(turn) > all_of(SmoothLimits::outstanding) * greater(magnitude_of(before), magnitude_of(after));
-}
-
-// The vertices whose demands are met, and the two that tell how much the others leave open.
-struct InUse {
-  ValueMask left[2], right[2];  // the nearest and the next one on either side
-  ValueMask farther;            // the third ones, where all of those are in use
-  [[nodiscard]] LOBER_INLINE ValueMask all() const { return left[1] & right[1]; }
-};
-
-struct Fits {
-  Values area, error;  // chord_area(1) and its error
-  Values f[5];         // coefficients of u, ..., u^5
-  ValueMask smooth, noisy;
-};
-
-// Whether turns change sign too often: those between the vertices in use more than once, or all more than twice; a turn
-// of zero has none.
-template <typename Window>
-LOBER_INLINE ValueMask wavers(const Window& w, const InUse& in_use) {
-  const ValueMask none{},
-      whole = ~none,
-      within[8] = {none, none, in_use.left[1], in_use.left[0], in_use.right[0], in_use.right[1], none, none};
-  ValueMask of_all = none, of_some = none, last_of_all = none, last_of_some = none;
-  const auto count = [](ValueMask sign, ValueMask& last, ValueMask& changes) {
-    const ValueMask has_one = sign != 0;
-    changes -= has_one & (last == -sign);
-    last = (sign & has_one) | (last & ~has_one);
-  };
-  for (std::size_t k = 1; k < 7; ++k) {
-    const Values sine = w.sine(k);
-    const ValueMask sign = (sine < all_of(0)) - (sine > all_of(0));
-    count(sign & whole, last_of_all, of_all);
-    count(sign & within[k], last_of_some, of_some);
-  }
-  return (of_some > 1) | (of_all > 2);
-}
-
-// The fits. `regular`: both vertices on either side are in use in all of these windows, and no turns waver.
-template <bool regular, typename Window>
-LOBER_INLINE Fits fit_together(const Window& w, const InUse& in_use) {
-  const Values x = w.along_x(3), y = w.along_y(3), own = w.length(3), square = own * own, inverse = all_of(1) / square;
-  const ValueMask active[4] = {in_use.left[0], in_use.right[0], in_use.left[1], in_use.right[1]};
-  constexpr std::size_t vertices[6] = {2, 5, 1, 6, 0, 7};
-  constexpr double area_of_power[6] = {2.0 / 6, 2.0 / 12, 2.0 / 20, 2.0 / 30, 2.0 / 42, 2.0 / 56};
-  const Values from_x = w.x(3), from_y = w.y(3), zero = all_of(0), one = all_of(1);
-
-  // Values of g that the vertices demand, by Newton's form: divided[k] times the product of u - u[j], j < k. A vertex
-  // that is not in use has a divided difference of zero, and a factor of one. Quotients do not wait for one another.
-  Values u[6], height[6], ends[6], factor[6][6], quotient[6], divided[6], largest = zero;
-#pragma GCC unroll 6
-  for (std::size_t k = 0; k < 6; ++k) {
-    const Values away_x = w.x(vertices[k]) - from_x, away_y = w.y(vertices[k]) - from_y;
-    u[k] = (away_x * x + away_y * y) * inverse;
-    height[k] = (x * away_y - y * away_x) * inverse;
-    ends[k] = u[k] * (u[k] - one);
-    Values product = ends[k];
-#pragma GCC unroll 6
-    for (std::size_t j = 0; j < k; ++j) {
-      factor[k][j] = u[k] - u[j];
-      if (!regular && j < 4) factor[k][j] = select(active[j], factor[k][j], one);
-      product *= factor[k][j];
-    }
-    quotient[k] = one / product;
-  }
-#pragma GCC unroll 6
-  for (std::size_t k = 0; k < 6; ++k) {
-    Values sum = k > 0 ? divided[k - 1] : zero;
-#pragma GCC unroll 6
-    for (std::size_t j = 1; j < k; ++j) sum = divided[k - 1 - j] + factor[k][k - 1 - j] * sum;
-    divided[k] = k > 0 ? (height[k] - sum * ends[k]) * quotient[k] : height[k] * quotient[k];
-    if (regular || k > 3) continue;
-    divided[k] = select(active[k], divided[k], zero);
-    largest = greater(largest, select(active[k], magnitude_of(height[k] / ends[k]), zero));
-  }
-
-  // The coefficients of those products, whose areas say how much each vertex changes.
-  Values power[5] = {one, zero, zero, zero, zero}, share[4], fifth = zero, sixth = zero;
-#pragma GCC unroll 4
-  for (std::size_t k = 0; k < 4; ++k) {
-    share[k] = all_of(area_of_power[0]) * power[0];
-#pragma GCC unroll 4
-    for (std::size_t m = 1; m <= k; ++m) share[k] += all_of(area_of_power[m]) * power[m];
-    share[k] *= divided[k];
-#pragma GCC unroll 5
-    for (std::size_t m = k + 1; m > 0; --m) {
-      const Values next = m == k + 1 ? power[k] : power[m - 1] - u[k] * power[m];
-      power[m] = regular ? next : select(active[k], next, power[m]);
-    }
-    power[0] = regular ? -u[k] * power[0] : select(active[k], -u[k] * power[0], power[0]);
-  }
-#pragma GCC unroll 5
-  for (std::size_t m = 0; m < 5; ++m) {
-    fifth += all_of(area_of_power[m]) * power[m];
-    sixth += all_of(area_of_power[m + 1]) * power[m];
-  }
-  const Values farther_change = magnitude_of(divided[4] * fifth + divided[5] * (sixth - u[4] * fifth));
-
-  // g = g[0] + ... + g[3] u^3
-  Values g[4] = {divided[3], zero, zero, zero};
-#pragma GCC unroll 3
-  for (std::size_t last = 1; last < 4; ++last) {
-    const std::size_t k = 3 - last;
-#pragma GCC unroll 3
-    for (std::size_t m = last; m > 0; --m) {
-      const Values next = m == last ? g[m - 1] : g[m - 1] - u[k] * g[m];
-      g[m] = regular ? next : select(active[k], next, g[m]);
-    }
-    const Values next = divided[k] - u[k] * g[0];
-    g[0] = regular ? next : select(active[k], next, g[0]);
-  }
-  Fits fits;
-  fits.f[0] = -g[0];
-#pragma GCC unroll 3
-  for (std::size_t m = 1; m < 4; ++m) fits.f[m] = g[m - 1] - g[m];
-  fits.f[4] = g[3];
-  const Values area =
-      fits.f[1] * all_of(1.0 / 3) + (fits.f[2] * all_of(0.5) + (fits.f[3] * all_of(0.6) + fits.f[4] * all_of(2.0 / 3)));
-  fits.area = (x * x + y * y) * area;
-
-  // The changes of the vertices that came last: the third and the fourth, or the only one of one or two, or of three.
-  const auto turn_at = [&](std::size_t k) { return select(w.corner(k), zero, magnitude_of(w.sine(k))); };
-  ValueMask count{};
-  Values change = zero;
-  if constexpr (regular) {
-    change = magnitude_of(share[2] + share[3]);
-  } else {
-    for (const ValueMask& one_more : active) count -= one_more;
-    const ValueMask kept = (count > 2) & 2, least = (kept != 0) ? kept : count - 1;
-    ValueMask rank{};
-    for (std::size_t k = 0; k < 4; ++k) {
-      change += select(active[k] & (rank >= least), share[k], zero);
-      rank -= active[k];
-    }
-    change = magnitude_of(change);
-  }
-  const Values next = greater(all_of(3) * farther_change, change * change / magnitude_of(area));
-  Values unknown = select(in_use.farther & (next < change), next, change);
-  if constexpr (!regular) {
-    const Values larger = greater(turn_at(3), turn_at(4));
-    const Values of_few = all_of(3) * greater(change, larger * larger * magnitude_of(area));
-    unknown = select(count < 4, of_few, unknown);
-  }
-  fits.error = square * (unknown + all_of(0x1p-50)) +
-               own * (all_of(SmoothLimits::rounding) * greater(magnitude_of(from_x), magnitude_of(from_y)));
-  fits.smooth = (magnitude_of(g[0]) < one) & (magnitude_of(g[0] + g[1] + g[2] + g[3]) < one);
-  if constexpr (!regular) {
-    const ValueMask straight = count == 0, has_length = own > zero;
-    fits.smooth &= ~(straight | wavers(w, in_use)) & has_length;
-    fits.noisy = ~(fits.smooth | straight) & has_length;
-    // The area that a curve encloses whose turns at its ends all take place along it, corners apart.
-    const Values of_turns = square * (turn_at(3) + turn_at(4)) * all_of(1.0 / 6);
-    fits.error = select(fits.noisy, fits.error + square * largest * all_of(1.0 / 3), fits.error);
-    fits.error = select(has_length, select(straight, of_turns, fits.error), zero);
-    fits.area = select(fits.smooth, fits.area, zero);
-    for (Values& coefficient : fits.f) coefficient = select(fits.smooth, coefficient, zero);
-  }
-  return fits;
-}
 
 // Windows anywhere.
 struct AnyWindows {
@@ -244,7 +18,7 @@ struct AnyWindows {
 
   LOBER_INLINE explicit AnyWindows(const Point* const* from) {
     for (std::size_t k = 0; k < 8; k += 2) {
-      for (std::size_t lane = 0; lane < fit_lanes; lane += lanes) {
+      for (std::size_t lane = 0; lane < value_lanes; lane += lanes) {
         Lanes rows[lanes];
         for (std::size_t m = 0; m < lanes; ++m) rows[m] = load(&from[lane + m][k].x);
         transpose(rows);
@@ -293,18 +67,30 @@ LOBER_INLINE InUse find_in_use(const Window& w) {
 
 // Windows as they lie in memory; one lane each.
 inline void fit_windows(const Point* const* windows, std::size_t count, SmoothSegment* segments) {
-  for (std::size_t begin = 0; begin < count; begin += fit_lanes) {
-    const std::size_t together = count - begin < fit_lanes ? count - begin : fit_lanes;
-    const Point* from[fit_lanes];
-    for (std::size_t k = 0; k < fit_lanes; ++k) from[k] = windows[begin + (k < together ? k : together - 1)];
+  for (std::size_t begin = 0; begin < count; begin += value_lanes) {
+    const std::size_t together = count - begin < value_lanes ? count - begin : value_lanes;
+    const Point* from[value_lanes];
+    for (std::size_t k = 0; k < value_lanes; ++k) from[k] = windows[begin + (k < together ? k : together - 1)];
     const AnyWindows w(from);
-    const Fits fits = fit_together<false>(w, find_in_use(w));
-    const unsigned smooth = bits_of(fits.smooth), noisy = bits_of(fits.noisy);
+    const InUse in_use = find_in_use(w);
+    Fits fits;
+    constexpr unsigned all = (1U << value_lanes) - 1;
+    unsigned smooth = bits_of(in_use.all() & ~wavers(w, in_use) & (w.length_[3] > all_of(0))), noisy = 0;
+    if (smooth == all) {
+      fits = fit_together<true>(w, in_use);
+      smooth = bits_of(fits.smooth);
+    }
+    if (smooth != all) {
+      fits = fit_together<false>(w, in_use);
+      smooth = bits_of(fits.smooth);
+      noisy = bits_of(fits.noisy);
+    }
     for (std::size_t k = 0; k < together; ++k) {
       SmoothSegment& to = segments[begin + k];
       to.chord = {w.along_x_[3][k], w.along_y_[3][k]};
-      to.f[0] = 0;
-      for (std::size_t m = 0; m < 5; ++m) to.f[m + 1] = fits.f[m][k];
+      double coefficients[6] = {};
+      for (std::size_t m = 0; m < 5; ++m) coefficients[m + 1] = fits.f[m][k];
+      __builtin_memcpy(&to.f, coefficients, sizeof coefficients);
       to.error = fits.error[k];
       to.kind = (smooth >> k & 1) != 0  ? SmoothSegment::Kind::smooth
                 : (noisy >> k & 1) != 0 ? SmoothSegment::Kind::noisy
@@ -338,14 +124,15 @@ struct CurvePart {
   static constexpr std::size_t size = fits_at_once + 24;
   alignas(64) double x[size], y[size];
   alignas(64) double along_x[size], along_y[size], length[size];
-  alignas(64) double turns[size + fit_lanes];
+  alignas(64) double turns[size + value_lanes];
   BitRow corner, zero, flip, negative, usable_by[3];  // those of chords one, two and three apart
 
-  [[nodiscard]] LOBER_INLINE const double* turn(std::size_t k) const { return turns + fit_lanes + k; }
+  [[nodiscard]] LOBER_INLINE const double* turn(std::size_t k) const { return turns + value_lanes + k; }
 
   // Whether a chord has no length; then nothing else is computed.
   inline bool measure(const Point* points, std::size_t count) {
-    const std::size_t all = count + 7, padded = (count + 6 + fit_lanes - 1) / fit_lanes * fit_lanes + 2 * fit_lanes;
+    const std::size_t all = count + 7,
+                      padded = (count + 6 + value_lanes - 1) / value_lanes * value_lanes + 2 * value_lanes;
     for (std::size_t k = 0; k < all; ++k) {
       x[k] = points[k].x;
       y[k] = points[k].y;
@@ -355,22 +142,22 @@ struct CurvePart {
       y[k] = y[k - 1] + (y[all - 1] - y[all - 2]);
     }
     ValueMask no_length{};
-    const std::size_t chords = padded - fit_lanes;
-    for (std::size_t k = 0; k < chords; k += fit_lanes) {
+    const std::size_t chords = padded - value_lanes;
+    for (std::size_t k = 0; k < chords; k += value_lanes) {
       const Values dx = values_at(&x[k + 1]) - values_at(&x[k]), dy = values_at(&y[k + 1]) - values_at(&y[k]);
       const Values long_ones = root_of(dx * dx + dy * dy);
       store_values(&along_x[k], dx);
       store_values(&along_y[k], dy);
       store_values(&length[k], long_ones);
-      if (k + fit_lanes <= count + 6) no_length |= long_ones == all_of(0);
+      if (k + value_lanes <= count + 6) no_length |= long_ones == all_of(0);
     }
     bool any = bits_of(no_length) != 0;
-    for (std::size_t k = (count + 6) / fit_lanes * fit_lanes; k < count + 6; ++k) any |= length[k] == 0;
+    for (std::size_t k = (count + 6) / value_lanes * value_lanes; k < count + 6; ++k) any |= length[k] == 0;
     if (any) return true;
-    for (std::size_t k = chords; k < chords + fit_lanes; ++k) along_x[k] = along_y[k] = length[k] = 0;
+    for (std::size_t k = chords; k < chords + value_lanes; ++k) along_x[k] = along_y[k] = length[k] = 0;
     for (BitRow* row : {&corner, &zero, &negative, &usable_by[0], &usable_by[1], &usable_by[2]}) row->clear();
-    for (std::size_t k = 0; k < fit_lanes; ++k) turns[k] = 0;
-    for (std::size_t k = 0; k < chords; k += fit_lanes) {
+    for (std::size_t k = 0; k < value_lanes; ++k) turns[k] = 0;
+    for (std::size_t k = 0; k < chords; k += value_lanes) {
       const Values ax = values_at(&along_x[k]), ay = values_at(&along_y[k]), a = values_at(&length[k]);
       const auto compare = [&](int apart) {
         const auto after = k + static_cast<std::size_t>(apart);
@@ -381,13 +168,13 @@ struct CurvePart {
       const Values bx = values_at(&along_x[k + 1]), by = values_at(&along_y[k + 1]),
                    lengths = a * values_at(&length[k + 1]);
       const Values sine = sine_of_turn(ax, ay, bx, by, lengths);
-      store_values(&turns[fit_lanes + k], sine);
+      store_values(&turns[value_lanes + k], sine);
       corner.set_group(k, sharp_turn(ax, ay, bx, by, lengths));
       zero.set_group(k, sine == all_of(0));
       negative.set_group(k, sine < all_of(0));
     }
-    store_values(&turns[fit_lanes + chords], all_of(0));
-    for (std::size_t k = 0; k < chords; k += fit_lanes) {
+    store_values(&turns[value_lanes + chords], all_of(0));
+    for (std::size_t k = 0; k < chords; k += value_lanes) {
       corner.set_group(k, outstanding_turn(values_at(turn(k) - 1), values_at(turn(k)), values_at(turn(k) + 1)));
     }
     std::uint64_t before = 0;
@@ -449,12 +236,12 @@ inline StraightSegments fit_all(const Point* points, std::size_t count, double* 
     const std::size_t few = count - begin < fits_at_once ? count - begin : fits_at_once;
     if (part.measure(points + begin, few)) return {0, true};
     std::uint64_t regular = 0, farther = 0;
-    for (std::size_t k = 0; k < few; k += fit_lanes) {
+    for (std::size_t k = 0; k < few; k += value_lanes) {
       if (k % 64 == 0) {
         regular = part.regular(k / 64);
         farther = part.farther(k / 64);
       }
-      const std::size_t together = few - k < fit_lanes ? few - k : fit_lanes;
+      const std::size_t together = few - k < value_lanes ? few - k : value_lanes;
       const unsigned wanted = (1U << together) - 1;
       Fits fits;
       unsigned bits = static_cast<unsigned>(regular >> k % 64) & wanted;
@@ -469,10 +256,10 @@ inline StraightSegments fit_all(const Point* points, std::size_t count, double* 
         bits = bits_of(fits.smooth) & wanted;
         straight.count += together - static_cast<std::size_t>(__builtin_popcount(bits));
       }
-      if (together == fit_lanes) {
+      if (together == value_lanes) {
         store_values(areas + begin + k, fits.area);
         store_values(errors + begin + k, fits.error);
-        for (std::size_t lane = 0; lane < fit_lanes; lane += lanes) {
+        for (std::size_t lane = 0; lane < value_lanes; lane += lanes) {
           const std::uint32_t bytes = (bits >> lane & 15U) * 0x204081U & 0x01010101U;
           __builtin_memcpy(smooth + begin + k + lane, &bytes, sizeof bytes);
         }

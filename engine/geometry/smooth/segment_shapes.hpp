@@ -1,13 +1,12 @@
 // The shapes of those segments of a curve that crossings ask for (private to smooth/).
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
-#include <vector>
+#include <optional>
 
 #include "engine/geometry/smooth/smooth_curve.hpp"
+#include "lober/base/buffer.hpp"
 
 namespace lober::detail {
 
@@ -17,19 +16,28 @@ class SegmentShapes {
  public:
   SegmentShapes(const SmoothCurve& curve, std::size_t expected) : curve_(&curve) {
     segments_.reserve(expected);
+    shapes_.reserve(expected);
     windows_.reserve(expected);
   }
 
-  /// The number of the shape of a segment, which is there after the next fit(). Looks for it near the shape `near`.
-  std::uint32_t ask_for(std::int64_t segment, std::uint32_t near) {
+  /// The number of the shape of a segment, if it is there: looks for it beside the shape `near`.
+  [[nodiscard]] std::optional<std::uint32_t> find(std::int64_t segment, std::uint32_t near) const {
     for (const std::uint32_t number : {near, near + 1, near - 1}) {
       if (number < segments_.size() && segments_[number] == segment) return number;
     }
-    segments_.push_back(segment);
-    return static_cast<std::uint32_t>(segments_.size() - 1);
+    return std::nullopt;
   }
+  /// The same, but a segment whose shape is not there will have one after the next fit().
+  std::uint32_t ask_for(std::int64_t segment, std::uint32_t near) {
+    const std::optional<std::uint32_t> found = find(segment, near);
+    return found ? *found : add(segment);
+  }
+  /// The same, beside the last one.
   std::uint32_t ask_for(std::int64_t segment) {
-    return ask_for(segment, static_cast<std::uint32_t>(segments_.size() - 1));
+    const std::size_t size = segments_.size();
+    if (size > 0 && segments_[size - 1] == segment) return static_cast<std::uint32_t>(size - 1);
+    if (size > 1 && segments_[size - 2] == segment) return static_cast<std::uint32_t>(size - 2);
+    return add(segment);
   }
 
   /// Fits what was asked for since the last time.
@@ -40,10 +48,15 @@ class SegmentShapes {
   [[nodiscard]] const SmoothSegment* data() const { return shapes_.data(); }
 
  private:
+  std::uint32_t add(std::int64_t segment) {
+    segments_.push_back(segment);
+    return static_cast<std::uint32_t>(segments_.size() - 1);
+  }
+
   const SmoothCurve* curve_;
-  std::vector<std::int64_t> segments_;
-  std::vector<SmoothSegment> shapes_;
-  std::vector<const Point*> windows_;  // of those to be fitted
+  Buffer<std::int64_t> segments_;
+  Buffer<SmoothSegment> shapes_;
+  Buffer<const Point*> windows_;  // eight points each, of the shapes to be fitted
 };
 
 }  // namespace lober::detail

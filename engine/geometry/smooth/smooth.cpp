@@ -28,6 +28,7 @@ class Builder {
   SmoothAreas build() {
     move_crossings();
     restore_order();
+    end_arcs_put_back();
     const RegionChordAreas chord_areas = graph_.size() > 0 ? chord_areas_of_regions(result_.nodes, ends_, c1_, c2_)
                                                            : chord_areas_apart(result_, c1_, c2_);
     SmoothAreas smooth;
@@ -47,10 +48,6 @@ class Builder {
   [[nodiscard]] bool is_crossing(std::uint32_t node) const {
     return graph_.span(node).direction == 0 && graph_.order[node] < first_touch;
   }
-  [[nodiscard]] PolygonContact polygon_contact(std::uint32_t contact, PolygonContact::Sense sense) const {
-    const Contact at = graph_.contacts[contact];
-    return {{at.segment1, at.t1.hi}, {at.segment2, at.t2.hi}, sense};
-  }
   void move_crossings() {
     moved_.resize(graph_.size());
     const std::size_t contacts = graph_.contacts.size();
@@ -64,22 +61,22 @@ class Builder {
     at2_.resize(contacts);
     std::vector<std::uint32_t> unmoved(graph_.size() / smooth_nodes_a_task + 1);
     for_each_block(graph_.size(), smooth_nodes_a_task, [&](std::size_t begin, std::size_t end) {
-      std::vector<PolygonContact> polygons;
-      std::vector<std::uint32_t> numbers;
+      Buffer<PolygonContact> polygons;
+      polygons.reserve(end - begin);
+      Buffer<std::uint32_t> numbers;
+      numbers.reserve(end - begin);
       for (std::size_t k = begin; k < end; ++k) {
         const auto node = static_cast<std::uint32_t>(k);
         const NodeSpan span = graph_.span(node);
         moved_[k] = 0;
-        const auto sense = !is_crossing(node)                        ? PolygonContact::Sense::stays
-                           : graph_.order[node] == rightward_to_left ? PolygonContact::Sense::rightward_to_left
-                                                                     : PolygonContact::Sense::leftward_to_right;
+        const auto sense = is_crossing(node) ? sense_of(graph_.order[node]) : PolygonContact::Sense::stays;
         for (const std::uint32_t contact : {span.first, span.last}) {
-          polygons.push_back(polygon_contact(contact, sense));
+          polygons.push_back(polygon_contact(graph_.contacts[contact], sense));
           numbers.push_back(contact);
           if (span.first == span.last) break;
         }
       }
-      std::vector<SmoothContact> found(polygons.size());
+      Buffer<SmoothContact> found(polygons.size());
       move_contacts(c1_, c2_, polygons, false, found);
       std::size_t next = 0;
       for (std::size_t k = begin; k < end; ++k) {
@@ -110,36 +107,41 @@ class Builder {
   void restore_order() {
     const std::uint32_t count = graph_.size();
     if (count < 2) return;
-    const Buffer<std::uint32_t>& along2 = graph_.along2();
-    std::vector<std::uint64_t> changed((count + 63) / 64);  // bits of nodes, and of what follows them along both curves
-    const auto look_at = [&](std::uint32_t k) {
-      const std::uint32_t next = k + 1 == count ? 0 : k + 1;
-      const NodeSpan here = graph_.span(k), there = graph_.span(next);
-      if (overtakes(at1_, here.last, there.first, true)) put_back(k, next, changed);
-      const std::uint32_t from = along2[k], to = along2[next];
-      const std::uint32_t leaves = leaves2(graph_.span(from)), enters = enters2(graph_.span(to));
-      if (overtakes(at2_, leaves, enters, false)) put_back(from, to, changed);
-    };
-    for (std::uint32_t k = 0; k < count; ++k) {
-      changed[k / 64] &= ~(1ULL << k % 64);
-      look_at(k);
-    }
-    for (int round = 1; round < 8; ++round) {
-      bool any = false;
-      for (std::size_t word = 0; word < changed.size(); ++word) {
-        for (std::uint64_t left = changed[word]; left != 0;) {
+    std::vector<std::uint64_t> suspects((count + 63) / 64);  // bits of ranks: see overtakes_along
+    for_each_block(suspects.size(), smooth_nodes_a_task / 64, [&](std::size_t begin, std::size_t end) {
+      for (auto k = static_cast<std::uint32_t>(begin * 64); k < std::min<std::size_t>(count, end * 64); ++k) {
+        const bool either = overtakes_along<1>(k) || overtakes_along<2>(k);
+        suspects[k / 64] |= static_cast<std::uint64_t>(either) << k % 64;
+      }
+    });
+    bool changed = true;
+    for (int round = 0; changed && round < 8; ++round) {
+      changed = false;
+      for (std::size_t word = 0; word < suspects.size(); ++word) {
+        for (std::uint64_t left = suspects[word]; left != 0;) {
           const auto bit = static_cast<std::uint32_t>(std::countr_zero(left));
-          changed[word] &= ~(1ULL << bit);
-          look_at(static_cast<std::uint32_t>(word * 64) + bit);
-          any = true;
-          left = changed[word] & (~1ULL << bit);
+          suspects[word] &= ~(1ULL << bit);
+          const std::uint32_t rank = static_cast<std::uint32_t>(word * 64) + bit;
+          if (overtakes_along<1>(rank)) changed |= put_back(rank, after(rank), suspects);
+          const Buffer<std::uint32_t>& along2 = graph_.along2();
+          if (overtakes_along<2>(rank)) changed |= put_back(along2[rank], along2[after(rank)], suspects);
+          left = suspects[word] & (~1ULL << bit);
         }
       }
-      if (!any) break;
     }
   }
-  // Whether a node and the one that follows it along a curve have changed their order. The contacts of the polygons say
-  // whether the first vertex lies between them.
+  [[nodiscard]] std::uint32_t after(std::uint32_t rank) const { return rank + 1 == graph_.size() ? 0 : rank + 1; }
+  // Whether the node of that rank along a curve and the one that follows it have changed their order.
+  template <int curve>
+  [[nodiscard]] bool overtakes_along(std::uint32_t rank) const {
+    if constexpr (curve == 1) {
+      return overtakes(at1_, graph_.span(rank).last, graph_.span(after(rank)).first, true);
+    } else {
+      const NodeSpan here = graph_.span(graph_.along2()[rank]), there = graph_.span(graph_.along2()[after(rank)]);
+      return overtakes(at2_, leaves2(here), enters2(there), false);
+    }
+  }
+  // The contacts of the polygons say whether the first vertex lies between two.
   [[nodiscard]] bool overtakes(const Buffer<double>& at, std::uint32_t contact, std::uint32_t next,
                                bool on_first) const {
     if (at[contact] <= at[next]) return false;
@@ -150,23 +152,40 @@ class Builder {
     const double turn = before(next) < before(contact) ? static_cast<double>((on_first ? c1_ : c2_).segments()) : 0;
     return at[contact] > at[next] + turn;
   }
-  void put_back(std::uint32_t node, std::uint32_t other, std::vector<std::uint64_t>& changed) {
+  // Ranks beside those that are put back become suspects. Whether any had been moved.
+  bool put_back(std::uint32_t node, std::uint32_t other, std::vector<std::uint64_t>& suspects) {
+    bool any = false;
     const std::uint32_t count = graph_.size();
     for (const std::uint32_t k : {node, other}) {
       if (moved_[k] == 0) continue;
+      any = true;
       moved_[k] = 0;
       ++unmoved_;
       const std::uint32_t contact = graph_.span(k).first;
-      const PolygonContact polygons = polygon_contact(contact, PolygonContact::Sense::stays);
-      SmoothContact found;
-      move_contacts(c1_, c2_, {&polygons, 1}, false, {&found, 1});
-      keep(contact, found);
+      const Contact here = graph_.contacts[contact];
+      at1_[contact] = here.segment1 + here.t1.hi;
+      at2_[contact] = here.segment2 + here.t2.hi;
+      put_back_.push_back(contact);
       for (const std::uint32_t rank : {k, graph_.rank2[k]}) {
         for (const std::uint32_t first : {rank, rank == 0 ? count - 1 : rank - 1}) {
-          changed[first / 64] |= 1ULL << first % 64;
+          suspects[first / 64] |= 1ULL << first % 64;
         }
       }
     }
+    return any;
+  }
+  void end_arcs_put_back() {
+    std::sort(put_back_.begin(), put_back_.end());
+    for_each_block(put_back_.size(), smooth_nodes_a_task, [&](std::size_t begin, std::size_t end) {
+      Buffer<PolygonContact> polygons;
+      polygons.reserve(end - begin);
+      for (std::size_t k = begin; k < end; ++k) {
+        polygons.push_back(polygon_contact(graph_.contacts[put_back_[k]], PolygonContact::Sense::stays));
+      }
+      Buffer<SmoothContact> found(end - begin);
+      move_contacts(c1_, c2_, polygons, false, found);
+      for (std::size_t k = begin; k < end; ++k) keep(put_back_[k], found[k - begin]);
+    });
   }
 
   // An area that comes out negative is one that smooth curves do not enclose.
@@ -182,10 +201,11 @@ class Builder {
   const NodeGraph& graph_;
   SmoothCurve c1_, c2_;
   int exponent_;
-  Buffer<char> moved_;         // by node
-  std::uint64_t unmoved_ = 0;  // crossings that should have been moved
-  ArcEnds ends_;               // by contact
-  Buffer<double> at1_, at2_;   // by contact: numbers of segments and parameters, where it has been moved to
+  Buffer<char> moved_;              // by node
+  std::uint64_t unmoved_ = 0;       // crossings that should have been moved
+  Buffer<std::uint32_t> put_back_;  // contacts that have moved, and were put back
+  ArcEnds ends_;                    // by contact
+  Buffer<double> at1_, at2_;        // by contact: numbers of segments and parameters, where it has been moved to
 };
 
 }  // namespace

@@ -1,26 +1,30 @@
 // The crossings of two smooth curves near those of their polygons (private to smooth/).
 #pragma once
 
+#include <cstdint>
 #include <span>
 
+#include "engine/geometry/crossings/node_graph.hpp"
 #include "engine/geometry/smooth/smooth_curve.hpp"
+#include "kernels/smooth_approach.hpp"
 
 namespace lober::detail {
 
 /// A contact of two polygons.
 struct PolygonContact {
-  SmoothPosition on1, on2;
+  std::uint32_t segment1, segment2;
+  double t1, t2;
   enum class Sense : std::uint8_t { stays, rightward_to_left, leftward_to_right };
   Sense sense;  ///< how C2 passes C1 there, as the input runs, if it is a crossing that is to be moved
 };
-
-/// The terms that one contact adds to the running sums of chord-to-arc areas before its two segments, so that they
-/// reach the point where both curves pass; `uncertainty` is twice the area that may hide where the smooth curves do not
-/// meet in that point, and the errors of the two segments.
-struct EndOfArcs {
-  double on1 = 0, on2 = 0;
-  double uncertainty = 0;
-};
+[[nodiscard]] inline PolygonContact polygon_contact(const Contact& at, PolygonContact::Sense sense) {
+  return {at.segment1, at.segment2, at.t1.hi, at.t2.hi, sense};
+}
+/// The sense of a crossing.
+[[nodiscard]] inline PolygonContact::Sense sense_of(std::uint8_t rotation) {
+  return rotation == rightward_to_left ? PolygonContact::Sense::rightward_to_left
+                                       : PolygonContact::Sense::leftward_to_right;
+}
 
 /// A contact of two polygons on the smooth curves through them.
 struct SmoothContact {

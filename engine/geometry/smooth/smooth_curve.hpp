@@ -21,8 +21,7 @@ class SmoothCurve {
   [[nodiscard]] std::size_t segments() const { return view_.segments(); }
   [[nodiscard]] Point vertex(std::int64_t k) const {
     if (k >= 0 && k < size_) return view_.points[static_cast<std::size_t>(k)];
-    if (!view_.closed) return beyond(k);
-    return view_.points[static_cast<std::size_t>((k % size_ + size_) % size_)];
+    return beyond(k);
   }
   /// The eight vertices about a segment if they lie in a row and no two neighbours coincide; else nothing, and
   /// segment() has to look for them.
@@ -92,7 +91,8 @@ class SmoothCurve {
   [[nodiscard]] static bool repeats(std::span<const Point> points) {
     return std::adjacent_find(points.begin(), points.end()) != points.end();
   }
-  [[nodiscard]] Point beyond(std::int64_t k) const {
+  [[nodiscard, gnu::noinline]] Point beyond(std::int64_t k) const {
+    if (view_.closed) return view_.points[static_cast<std::size_t>((k % size_ + size_) % size_)];
     constexpr double much_longer = 1024;
     const std::int64_t end = k < 0 ? 0 : size_ - 1, inward = k < 0 ? 1 : -1;
     std::int64_t other = end;

@@ -20,12 +20,12 @@ class GapFinder {
 
   SmoothGaps find(const ChordAreaTable& table1, const ChordAreaTable& table2) {
     for_each_block(nodes_.size(), gaps_a_task, [&](std::size_t begin, std::size_t end) {
-      std::vector<PolygonContact> polygons;
+      Buffer<PolygonContact> polygons;
+      polygons.reserve(end - begin);
       for (std::size_t k = begin; k < end; ++k) {
-        const auto sense = graph_.span(nodes_[k]).direction != 0          ? PolygonContact::Sense::stays
-                           : graph_.order[nodes_[k]] == rightward_to_left ? PolygonContact::Sense::rightward_to_left
-                                                                          : PolygonContact::Sense::leftward_to_right;
-        polygons.push_back(polygon_contact(k, sense));
+        const bool crosses = graph_.span(nodes_[k]).direction == 0;
+        const auto sense = crosses ? sense_of(graph_.order[nodes_[k]]) : PolygonContact::Sense::stays;
+        polygons.push_back(polygon_contact(contact(k), sense));
       }
       move_contacts(c1_, c2_, polygons, true, std::span(found_).subspan(begin, end - begin));
     });
@@ -69,10 +69,6 @@ class GapFinder {
     const Point from = c1_.vertex(at.segment), offset = c1_.segment(at.segment).at(at.u);
     return {from.x + offset.x, from.y + offset.y};
   }
-  [[nodiscard]] PolygonContact polygon_contact(std::size_t k, PolygonContact::Sense sense) const {
-    const Contact here = contact(k);
-    return {{here.segment1, here.t1.hi}, {here.segment2, here.t2.hi}, sense};
-  }
   [[nodiscard]] double position(std::size_t k, bool on_first) const {
     const SmoothPosition& at = on_first ? found_[k].on1 : found_[k].on2;
     return static_cast<double>(at.segment) + at.u;
@@ -86,7 +82,7 @@ class GapFinder {
       for (const std::size_t node : {k, next}) {
         if (!found_[node].moved) continue;
         changed = true;
-        const PolygonContact polygons = polygon_contact(node, PolygonContact::Sense::stays);
+        const PolygonContact polygons = polygon_contact(contact(node), PolygonContact::Sense::stays);
         move_contacts(c1_, c2_, {&polygons, 1}, true, {&found_[node], 1});
       }
     };
