@@ -114,8 +114,8 @@ void parts_needed(const double* lengths, const double* curvatures, std::size_t c
   kernels().parts_needed(lengths, curvatures, count, asked, parts);
 }
 
-void fit_smooth_segments(const Point* const* windows, std::size_t count, SmoothSegment* segments) {
-  kernels().fit_smooth_segments(windows, count, segments);
+bool fit_smooth_segments(const Point* const* windows, std::size_t count, SmoothSegment* segments) {
+  return kernels().fit_smooth_segments(windows, count, segments);
 }
 
 void approach_crossings(SmoothPair* pairs, const std::uint32_t* numbers, std::size_t count,

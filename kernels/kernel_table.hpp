@@ -62,7 +62,7 @@ struct KernelTable {
   void (*turns_along)(const Point* points, std::size_t segments, double* lengths, double* curvatures);
   void (*parts_needed)(const double* lengths, const double* curvatures, std::size_t count, PartsAsked asked,
                        double* parts);
-  void (*fit_smooth_segments)(const Point* const* windows, std::size_t count, SmoothSegment* segments);
+  bool (*fit_smooth_segments)(const Point* const* windows, std::size_t count, SmoothSegment* segments);
   void (*approach_crossings)(SmoothPair* pairs, const std::uint32_t* numbers, std::size_t count,
                              const SmoothSegment* shapes1, const SmoothSegment* shapes2);
   void (*end_arcs)(const SmoothPair* pairs, std::size_t count, const SmoothSegment* shapes1,

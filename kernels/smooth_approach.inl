@@ -7,34 +7,6 @@
 namespace lober::detail {
 namespace {
 
-// Eight doubles at each of some addresses, column by column.
-LOBER_INLINE void load_rows(const double* const* from, Values (&columns)[8]) {
-#ifdef __AVX512F__
-  Values a[8], b[8];
-  for (std::size_t k = 0; k < 8; ++k) b[k] = values_at(from[k]);
-  for (std::size_t k = 0; k < 8; k += 2) {
-    a[k] = __builtin_shufflevector(b[k], b[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
-    a[k + 1] = __builtin_shufflevector(b[k], b[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
-  }
-  constexpr std::size_t upper[4] = {0, 1, 4, 5};
-  for (const std::size_t k : upper) {
-    b[k] = __builtin_shufflevector(a[k], a[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-    b[k + 2] = __builtin_shufflevector(a[k], a[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
-  }
-  for (std::size_t k = 0; k < 4; ++k) {
-    columns[k] = __builtin_shufflevector(b[k], b[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-    columns[k + 4] = __builtin_shufflevector(b[k], b[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
-  }
-#else
-  for (std::size_t half = 0; half < 8; half += lanes) {
-    Lanes rows[lanes];
-    for (std::size_t k = 0; k < lanes; ++k) rows[k] = load(from[k] + half);
-    transpose(rows);
-    for (std::size_t k = 0; k < lanes; ++k) columns[half + k] = rows[k];
-  }
-#endif
-}
-
 // Segments with a runner on each.
 struct RunnerLanes {
   Values u, vertex_x, vertex_y, chord_x, chord_y, f[5];

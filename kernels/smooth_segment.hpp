@@ -57,8 +57,9 @@ struct SmoothLimits {
   static constexpr double rounding = 0x1p-54;
 };
 
-/// The same for `count` windows, each where eight points in a row begin: four side by side.
-void fit_smooth_segments(const Point* const* windows, std::size_t count, SmoothSegment* segments);
+/// The same for `count` windows, each where eight points in a row begin: several side by side. Returns whether two
+/// neighbours in any window lie so close together that their chord has no length.
+bool fit_smooth_segments(const Point* const* windows, std::size_t count, SmoothSegment* segments);
 
 /// The result of smooth_chord_areas.
 struct StraightSegments {

@@ -65,13 +65,21 @@ LOBER_INLINE InUse find_in_use(const Window& w) {
   return in_use;
 }
 
-// Windows as they lie in memory; one lane each.
-inline void fit_windows(const Point* const* windows, std::size_t count, SmoothSegment* segments) {
+// One window a lane. Returns whether a chord of any window has no length.
+inline bool fit_windows(const Point* const* windows, std::size_t count, SmoothSegment* segments) {
+  static_assert(offsetof(SmoothSegment, f) == 2 * sizeof(double), "a shape begins with its chord and coefficients");
+  ValueMask no_length{};
   for (std::size_t begin = 0; begin < count; begin += value_lanes) {
     const std::size_t together = count - begin < value_lanes ? count - begin : value_lanes;
     const Point* from[value_lanes];
-    for (std::size_t k = 0; k < value_lanes; ++k) from[k] = windows[begin + (k < together ? k : together - 1)];
+    double* to[value_lanes];
+    for (std::size_t k = 0; k < value_lanes; ++k) {
+      const std::size_t number = begin + (k < together ? k : together - 1);
+      from[k] = windows[number];
+      to[k] = &segments[number].chord.x;
+    }
     const AnyWindows w(from);
+    for (const Values& length : w.length_) no_length |= length == all_of(0);
     const InUse in_use = find_in_use(w);
     Fits fits;
     constexpr unsigned all = (1U << value_lanes) - 1;
@@ -85,18 +93,20 @@ inline void fit_windows(const Point* const* windows, std::size_t count, SmoothSe
       smooth = bits_of(fits.smooth);
       noisy = bits_of(fits.noisy);
     }
+    Values columns[8] = {w.along_x_[3], w.along_y_[3], all_of(0), fits.f[0],
+                         fits.f[1],     fits.f[2],     fits.f[3], fits.f[4]};
+    store_rows(columns, to, together);
+    alignas(64) double errors[value_lanes];
+    store_values(errors, fits.error);
     for (std::size_t k = 0; k < together; ++k) {
-      SmoothSegment& to = segments[begin + k];
-      to.chord = {w.along_x_[3][k], w.along_y_[3][k]};
-      double coefficients[6] = {};
-      for (std::size_t m = 0; m < 5; ++m) coefficients[m + 1] = fits.f[m][k];
-      __builtin_memcpy(&to.f, coefficients, sizeof coefficients);
-      to.error = fits.error[k];
-      to.kind = (smooth >> k & 1) != 0  ? SmoothSegment::Kind::smooth
-                : (noisy >> k & 1) != 0 ? SmoothSegment::Kind::noisy
-                                        : SmoothSegment::Kind::straight;
+      SmoothSegment& segment = segments[begin + k];
+      segment.error = errors[k];
+      segment.kind = (smooth >> k & 1) != 0  ? SmoothSegment::Kind::smooth
+                     : (noisy >> k & 1) != 0 ? SmoothSegment::Kind::noisy
+                                             : SmoothSegment::Kind::straight;
     }
   }
+  return bits_of(no_length) != 0;
 }
 
 constexpr std::size_t fits_at_once = 256;

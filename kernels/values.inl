@@ -59,5 +59,54 @@ LOBER_INLINE ValueMask mask_of(unsigned bits) {
 #endif
 }
 
+#ifdef __AVX512F__
+// Swaps rows and columns of an 8 x 8 block.
+LOBER_INLINE void turn_block(Values (&b)[8]) {
+  Values a[8];
+  for (std::size_t k = 0; k < 8; k += 2) {
+    a[k] = __builtin_shufflevector(b[k], b[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
+    a[k + 1] = __builtin_shufflevector(b[k], b[k + 1], 1, 9, 3, 11, 5, 13, 7, 15);
+  }
+  Values c[8];
+  constexpr std::size_t upper[4] = {0, 1, 4, 5};
+  for (const std::size_t k : upper) {
+    c[k] = __builtin_shufflevector(a[k], a[k + 2], 0, 1, 8, 9, 4, 5, 12, 13);
+    c[k + 2] = __builtin_shufflevector(a[k], a[k + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+  }
+  for (std::size_t k = 0; k < 4; ++k) {
+    b[k] = __builtin_shufflevector(c[k], c[k + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+    b[k + 4] = __builtin_shufflevector(c[k], c[k + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+  }
+}
+#endif
+// Eight doubles at each of some addresses, column by column.
+LOBER_INLINE void load_rows(const double* const* from, Values (&columns)[8]) {
+#ifdef __AVX512F__
+  for (std::size_t k = 0; k < 8; ++k) columns[k] = values_at(from[k]);
+  turn_block(columns);
+#else
+  for (std::size_t half = 0; half < 8; half += lanes) {
+    Lanes rows[lanes];
+    for (std::size_t k = 0; k < lanes; ++k) rows[k] = load(from[k] + half);
+    transpose(rows);
+    for (std::size_t k = 0; k < lanes; ++k) columns[half + k] = rows[k];
+  }
+#endif
+}
+// The inverse, to the first `count` addresses.
+LOBER_INLINE void store_rows(Values (&columns)[8], double* const* to, std::size_t count) {
+#ifdef __AVX512F__
+  turn_block(columns);
+  for (std::size_t k = 0; k < count; ++k) store_values(to[k], columns[k]);
+#else
+  for (std::size_t half = 0; half < 8; half += lanes) {
+    Lanes rows[lanes];
+    for (std::size_t k = 0; k < lanes; ++k) rows[k] = columns[half + k];
+    transpose(rows);
+    for (std::size_t k = 0; k < count; ++k) store(to[k] + half, rows[k]);
+  }
+#endif
+}
+
 }  // namespace
 }  // namespace lober::detail

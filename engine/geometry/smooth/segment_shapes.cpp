@@ -9,7 +9,9 @@ void SegmentShapes::fit() {
   // Runs of segments with a window are fitted together.
   std::size_t from = begin;
   const auto fit_run = [&](std::size_t end) {
-    fit_smooth_segments(windows_.data(), windows_.size(), shapes_.data() + from);
+    if (fit_smooth_segments(windows_.data(), windows_.size(), shapes_.data() + from)) {
+      for (std::size_t k = from; k < end; ++k) shapes_[k] = curve_->segment(segments_[k]);
+    }
     windows_.clear();
     from = end + 1;
   };

@@ -66,7 +66,7 @@ class ContactMover {
         }
         if (pair.state == State::tired) pair.state = close_enough(pair) ? State::met : State::stays;
         if (pair.state == State::stays) {
-          if (first_[k] != std::array{pair.shape1, pair.shape2}) start(k);
+          if (pair.shape1 != first_[k][0] || pair.shape2 != first_[k][1]) start(k);
           pair.on1.u = contacts_[k].t1;
           pair.on2.u = contacts_[k].t2;
           continue;

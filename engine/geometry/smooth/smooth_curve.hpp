@@ -23,12 +23,10 @@ class SmoothCurve {
     if (k >= 0 && k < size_) return view_.points[static_cast<std::size_t>(k)];
     return beyond(k);
   }
-  /// The eight vertices about a segment if they lie in a row and no two neighbours coincide; else nothing, and
-  /// segment() has to look for them.
+  /// The eight vertices about a segment if they lie in a row; else nothing, and segment() has to look for them, as it
+  /// has where two neighbours among them coincide.
   [[nodiscard]] const Point* window(std::int64_t k) const {
-    if (size_ < 8 || k < 3 || k + 4 >= size_) return nullptr;
-    const Point* from = view_.points.data() + (k - 3);
-    return repeats({from, 8}) ? nullptr : from;
+    return size_ < 8 || k < 3 || k + 4 >= size_ ? nullptr : view_.points.data() + (k - 3);
   }
   /// Curves of fewer vertices than a segment looks at stay polygons.
   [[nodiscard]] SmoothSegment segment(std::int64_t k) const {
@@ -39,7 +37,7 @@ class SmoothCurve {
       return straight;
     }
     std::array<Point, 8> around;
-    if (const Point* from = window(k)) {
+    if (const Point* from = window(k); from != nullptr && !repeats({from, 8})) {
       std::copy_n(from, around.size(), around.begin());
       return fit_smooth_segment(around);
     }
