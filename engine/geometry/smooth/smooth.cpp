@@ -212,7 +212,7 @@ class Builder {
 
 SmoothAreas smooth_areas(const Overlay& result) {
   const CurveView &c1 = result.nodes.curve1(), &c2 = result.nodes.curve2();
-  const int exponent = scaling_exponent(union_of(box_of(c1.points), box_of(c2.points)));
+  const int exponent = result.nodes.data().exponent;
   if (exponent == 0) return Builder(result, c1, c2, 0).build();
   const std::vector<Point> first = scaled(c1, exponent), second = scaled(c2, exponent);
   return Builder(result, CurveView{first}, CurveView{second}, -2 * exponent).build();
