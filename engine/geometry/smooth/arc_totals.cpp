@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <ranges>
 #include <span>
 #include <vector>
 
@@ -85,8 +84,13 @@ std::uint64_t add_by_class(const SmoothCurve& curve, const SegmentOf& segment_of
   std::vector<ClassSums> parts((size + segments_a_block - 1) / segments_a_block);
   std::vector<std::uint64_t> straight(parts.size());
   for_each_block(size, segments_a_block, [&](std::size_t begin, std::size_t end) {
-    const std::ranges::iota_view<std::size_t, std::size_t> numbers(0, count);
-    std::size_t next = *std::ranges::lower_bound(numbers, begin, {}, segment_of);
+    std::size_t next = 0;  // the first contact whose segment is not before the block
+    for (std::size_t left = count; left > 0;) {
+      const std::size_t half = left / 2;
+      const bool before = segment_of(next + half) < begin;
+      next += before ? half + 1 : 0;
+      left = before ? left - half - 1 : half;
+    }
     std::uint8_t now = outside;
     if (count > 0) now = class_after[next == 0 ? count - 1 : next - 1];
     std::array<AreaSum, arc_classes> of_block;
@@ -121,8 +125,9 @@ std::uint64_t add_by_class(const SmoothCurve& curve, const SegmentOf& segment_of
 // A curve that meets no other.
 ChordArea add_whole(const SmoothCurve& curve, std::uint64_t& straight) {
   ClassSums sums;
-  const auto none = [](std::size_t) { return 0; };
-  straight += add_by_class(curve, none, none, {}, sums);
+  const auto segment_of = [](std::size_t) { return std::size_t{0}; };
+  const auto term_of = [](std::size_t) { return 0.0; };
+  straight += add_by_class(curve, segment_of, term_of, {}, sums);
   return sums[outside];
 }
 
