@@ -19,6 +19,7 @@
 #include "kernels/segment_boxes.inl"
 #include "kernels/shoelace.inl"
 #include "kernels/sine.inl"
+#include "kernels/smooth_approach.inl"
 #include "kernels/smooth_segment.inl"
 #include "kernels/strip_filter.inl"
 #include "kernels/turning.inl"
@@ -52,7 +53,10 @@ const KernelTable LOBER_KERNELS{
     .keep_near_strip = keep_strips,
     .turns_along = all_turns_along,
     .parts_needed = all_parts_needed,
-    .fit_regular = fit_all,
+    .fit_smooth_segments = fit_windows,
+    .approach_crossings = approach_all,
+    .end_arcs = end_all_arcs,
+    .smooth_chord_areas = fit_all,
 };
 
 }  // namespace lober::detail

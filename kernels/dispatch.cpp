@@ -114,17 +114,23 @@ void parts_needed(const double* lengths, const double* curvatures, std::size_t c
   kernels().parts_needed(lengths, curvatures, count, asked, parts);
 }
 
-void smooth_chord_areas(const Point* points, std::size_t count, double* areas, double* errors, std::uint8_t* smooth) {
-  kernels().fit_regular(points, count, areas, errors, smooth);
-  for (std::size_t k = 0; k < count; ++k) {
-    if (smooth[k] != 0) continue;
-    std::array<Point, 8> window;
-    std::copy_n(points + k, window.size(), window.begin());
-    const SmoothSegment segment = fit_smooth_segment(window);
-    areas[k] = segment.chord_area(1);
-    errors[k] = segment.error;
-    smooth[k] = segment.kind == SmoothSegment::Kind::smooth;
-  }
+bool fit_smooth_segments(const Point* const* windows, std::size_t count, SmoothSegment* segments) {
+  return kernels().fit_smooth_segments(windows, count, segments);
+}
+
+void approach_crossings(SmoothPair* pairs, const std::uint32_t* numbers, std::size_t count,
+                        const SmoothSegment* shapes1, const SmoothSegment* shapes2) {
+  kernels().approach_crossings(pairs, numbers, count, shapes1, shapes2);
+}
+
+void end_arcs(const SmoothPair* pairs, std::size_t count, const SmoothSegment* shapes1, const SmoothSegment* shapes2,
+              EndOfArcs* ends) {
+  kernels().end_arcs(pairs, count, shapes1, shapes2, ends);
+}
+
+StraightSegments smooth_chord_areas(const Point* points, std::size_t count, double* areas, double* errors,
+                                    std::uint8_t* smooth) {
+  return kernels().smooth_chord_areas(points, count, areas, errors, smooth);
 }
 
 }  // namespace lober::detail

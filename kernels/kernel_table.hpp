@@ -17,6 +17,7 @@
 #include "kernels/sagitta.hpp"
 #include "kernels/segment_boxes.hpp"
 #include "kernels/shoelace.hpp"
+#include "kernels/smooth_approach.hpp"
 #include "kernels/smooth_segment.hpp"
 #include "kernels/strip.hpp"
 #include "kernels/turning.hpp"
@@ -61,8 +62,13 @@ struct KernelTable {
   void (*turns_along)(const Point* points, std::size_t segments, double* lengths, double* curvatures);
   void (*parts_needed)(const double* lengths, const double* curvatures, std::size_t count, PartsAsked asked,
                        double* parts);
-  // The part of smooth_chord_areas where both vertices on either side are of use; `fitted` says where.
-  void (*fit_regular)(const Point* points, std::size_t count, double* areas, double* errors, std::uint8_t* fitted);
+  bool (*fit_smooth_segments)(const Point* const* windows, std::size_t count, SmoothSegment* segments);
+  void (*approach_crossings)(SmoothPair* pairs, const std::uint32_t* numbers, std::size_t count,
+                             const SmoothSegment* shapes1, const SmoothSegment* shapes2);
+  void (*end_arcs)(const SmoothPair* pairs, std::size_t count, const SmoothSegment* shapes1,
+                   const SmoothSegment* shapes2, EndOfArcs* ends);
+  StraightSegments (*smooth_chord_areas)(const Point* points, std::size_t count, double* areas, double* errors,
+                                         std::uint8_t* smooth);
 };
 
 extern const KernelTable baseline_kernels, avx2_kernels, avx512_kernels;

@@ -1,18 +1,28 @@
 #include "lober/overlay/crossings.hpp"
 
 #include "engine/geometry/crossings/crossings_data.hpp"
+#include "engine/geometry/curve/scaled.hpp"
 
 namespace lober {
 using namespace detail;
+
+namespace {
+
+void set_curves(CrossingsData& data, const IndexedCurve& c1, const IndexedCurve& c2) {
+  data.c1 = c1.view();
+  data.c2 = c2.view();
+  data.owner1 = c1.owner();
+  data.owner2 = c2.owner();
+  data.exponent = scaling_exponent(union_of(c1.tree().box(), c2.tree().box()));
+}
+
+}  // namespace
 
 Crossings detail::make_crossings(NodeGraph graph, const IndexedCurve& c1, const IndexedCurve& c2,
                                  Orientation orientation1, Orientation orientation2) {
   auto data = std::make_shared<CrossingsData>();
   data->graph = std::move(graph);
-  data->c1 = c1.view();
-  data->c2 = c2.view();
-  data->owner1 = c1.owner();
-  data->owner2 = c2.owner();
+  set_curves(*data, c1, c2);
   data->clockwise1 = orientation1 == Orientation::clockwise;
   data->clockwise2 = orientation2 == Orientation::clockwise;
   for (std::uint32_t k = 0; k < data->graph.size(); ++k) {
@@ -28,10 +38,7 @@ Crossings detail::make_crossings(NodeGraph graph, const IndexedCurve& c1, const 
 
 Crossings detail::moved_to(const Crossings& nodes, const IndexedCurve& c1, const IndexedCurve& c2) {
   auto data = std::make_shared<CrossingsData>(nodes.data());
-  data->c1 = c1.view();
-  data->c2 = c2.view();
-  data->owner1 = c1.owner();
-  data->owner2 = c2.owner();
+  set_curves(*data, c1, c2);
   return Crossings(std::move(data));
 }
 

@@ -13,6 +13,7 @@ struct CrossingsData {
   NodeGraph graph;
   CurveView c1, c2;
   std::shared_ptr<const void> owner1, owner2;  // owners of their points
+  int exponent = 0;                            // scaling exponent of both (curve/scaled.hpp)
   bool clockwise1 = false, clockwise2 = false;
   std::size_t crossings = 0, touches = 0, shared_arcs = 0;
 };

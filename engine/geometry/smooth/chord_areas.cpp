@@ -38,12 +38,10 @@ ChordAreaTable::ChordAreaTable(const SmoothCurve& curve) {
     for (std::size_t first = begin; first < end; first += SmoothCurve::Few::most) {
       const std::size_t last = std::min(first + SmoothCurve::Few::most, end);
       curve.fit(first, last, few);
+      fallbacks[begin / segments_a_block] += few.straight;
       for (std::size_t k = first; k < last; ++k) {
         if (k % segments_an_entry == 0) before_[k / segments_an_entry] = sum.value();
         sum.add(few.areas[k - first], few.errors[k - first]);
-        const auto at = static_cast<std::int64_t>(k);
-        fallbacks[begin / segments_a_block] +=
-            few.smooth[k - first] == 0 && !(curve.vertex(at) == curve.vertex(at + 1));
       }
     }
     totals[begin / segments_a_block + 1] = sum.value();

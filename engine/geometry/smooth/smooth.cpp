@@ -1,8 +1,9 @@
 #include "lober/overlay/smooth.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <optional>
+#include <numeric>
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
@@ -16,7 +17,7 @@ namespace lober {
 using namespace detail;
 namespace {
 
-constexpr std::size_t smooth_nodes_a_task = 256;
+constexpr std::size_t smooth_nodes_a_task = 1024;
 
 class Builder {
  public:
@@ -27,12 +28,12 @@ class Builder {
   SmoothAreas build() {
     move_crossings();
     restore_order();
-    ArcEnds ends = sum_at_contacts();
+    end_arcs_put_back();
+    const RegionChordAreas chord_areas = graph_.size() > 0 ? chord_areas_of_regions(result_.nodes, ends_, c1_, c2_)
+                                                           : chord_areas_apart(result_, c1_, c2_);
     SmoothAreas smooth;
-    smooth.fallback_segments = fallback_segments_;
-    smooth.fallback_crossings = fallback_crossings_;
-    const RegionChordAreas chord_areas = graph_.size() > 0 ? chord_areas_of_regions(result_.nodes, ends)
-                                                           : chord_areas_apart(result_, ends.total1, ends.total2);
+    smooth.fallback_segments = chord_areas.straight;
+    smooth.fallback_crossings = unmoved_;
     add(&Areas::c1, chord_areas.c1, smooth);
     add(&Areas::c2, chord_areas.c2, smooth);
     add(&Areas::c1_minus_c2, chord_areas.only1, smooth);
@@ -49,99 +50,142 @@ class Builder {
   }
   void move_crossings() {
     moved_.resize(graph_.size());
-    straight_.resize(graph_.contacts.size());
-    ends_.resize(graph_.contacts.size());
+    const std::size_t contacts = graph_.contacts.size();
+    for (Buffer<double>* terms : {&ends_.on1, &ends_.on2, &ends_.uncertainty}) {
+      if (graph_.spans.empty())
+        terms->resize(contacts);
+      else
+        terms->assign(contacts, 0);
+    }
+    at1_.resize(contacts);
+    at2_.resize(contacts);
+    std::vector<std::uint32_t> unmoved(graph_.size() / smooth_nodes_a_task + 1);
     for_each_block(graph_.size(), smooth_nodes_a_task, [&](std::size_t begin, std::size_t end) {
+      Buffer<PolygonContact> polygons;
+      polygons.reserve(end - begin);
+      Buffer<std::uint32_t> numbers;
+      numbers.reserve(end - begin);
       for (std::size_t k = begin; k < end; ++k) {
         const auto node = static_cast<std::uint32_t>(k);
         const NodeSpan span = graph_.span(node);
+        moved_[k] = 0;
+        const auto sense = is_crossing(node) ? sense_of(graph_.order[node]) : PolygonContact::Sense::stays;
         for (const std::uint32_t contact : {span.first, span.last}) {
-          SmoothContact smooth(c1_, c2_, graph_.contacts[contact]);
-          straight_[contact] = smooth.straight();
-          if (is_crossing(node) && !straight_[contact]) {
-            moved_[k] = smooth.move_to_crossing(graph_.order[node] == rightward_to_left);
-          }
-          ends_[contact] = smooth.ends();
+          polygons.push_back(polygon_contact(graph_.contacts[contact], sense));
+          numbers.push_back(contact);
+          if (span.first == span.last) break;
+        }
+      }
+      Buffer<SmoothContact> found(polygons.size());
+      move_contacts(c1_, c2_, polygons, false, found);
+      std::size_t next = 0;
+      for (std::size_t k = begin; k < end; ++k) {
+        const NodeSpan span = graph_.span(static_cast<std::uint32_t>(k));
+        for (const std::uint32_t contact : {span.first, span.last}) {
+          keep(contact, found[next]);
+          moved_[k] |= static_cast<char>(found[next].moved);
+          unmoved[begin / smooth_nodes_a_task] +=
+              polygons[next].sense != PolygonContact::Sense::stays && !found[next].straight && !found[next].moved;
+          ++next;
           if (span.first == span.last) break;
         }
       }
     });
+    unmoved_ = std::accumulate(unmoved.begin(), unmoved.end(), std::uint64_t{0});
+  }
+  void keep(std::uint32_t contact, const SmoothContact& found) {
+    const auto position = [](const SmoothPosition& at) { return static_cast<double>(at.segment) + at.u; };
+    ends_.on1[contact] = found.straight ? 0 : found.ends.on1;
+    ends_.on2[contact] = found.straight ? 0 : found.ends.on2;
+    ends_.uncertainty[contact] = found.ends.uncertainty;
+    at1_[contact] = position(found.on1);
+    at2_[contact] = position(found.on2);
   }
 
   // Crossings that would overtake one another stay where they were. That may put them in the way of others, so look
-  // again, a few times.
+  // again, a few times, where something has changed.
   void restore_order() {
     const std::uint32_t count = graph_.size();
-    const Buffer<std::uint32_t>& along2 = graph_.along2();
-    bool changed = count > 1;
+    if (count < 2) return;
+    std::vector<std::uint64_t> suspects((count + 63) / 64);  // bits of ranks: see overtakes_along
+    for_each_block(suspects.size(), smooth_nodes_a_task / 64, [&](std::size_t begin, std::size_t end) {
+      for (auto k = static_cast<std::uint32_t>(begin * 64); k < std::min<std::size_t>(count, end * 64); ++k) {
+        const bool either = overtakes_along<1>(k) || overtakes_along<2>(k);
+        suspects[k / 64] |= static_cast<std::uint64_t>(either) << k % 64;
+      }
+    });
+    bool changed = true;
     for (int round = 0; changed && round < 8; ++round) {
       changed = false;
-      for (std::uint32_t k = 0; k < count; ++k) {
-        const std::uint32_t next = k + 1 == count ? 0 : k + 1;
-        const NodeSpan here = graph_.span(k), there = graph_.span(next);
-        if (overtakes<&SmoothCrossing::position1>(k, here.last, next, there.first)) changed |= put_back(k, next);
-        const std::uint32_t from = along2[k], to = along2[next];
-        const std::uint32_t leaves = leaves2(graph_.span(from)), enters = enters2(graph_.span(to));
-        if (overtakes<&SmoothCrossing::position2>(from, leaves, to, enters)) changed |= put_back(from, to);
+      for (std::size_t word = 0; word < suspects.size(); ++word) {
+        for (std::uint64_t left = suspects[word]; left != 0;) {
+          const auto bit = static_cast<std::uint32_t>(std::countr_zero(left));
+          suspects[word] &= ~(1ULL << bit);
+          const std::uint32_t rank = static_cast<std::uint32_t>(word * 64) + bit;
+          if (overtakes_along<1>(rank)) changed |= put_back(rank, after(rank), suspects);
+          const Buffer<std::uint32_t>& along2 = graph_.along2();
+          if (overtakes_along<2>(rank)) changed |= put_back(along2[rank], along2[after(rank)], suspects);
+          left = suspects[word] & (~1ULL << bit);
+        }
       }
     }
   }
-  // Whether a node and the one that follows it along a curve have changed their order. Their contacts say whether the
-  // first vertex lies between them.
-  template <SmoothPosition SmoothCrossing::*on>
-  [[nodiscard]] bool overtakes(std::uint32_t node, std::uint32_t contact, std::uint32_t next,
-                               std::uint32_t next_contact) const {
-    constexpr bool first = on == &SmoothCrossing::position1;
-    const auto position = [](const SmoothPosition& at) { return static_cast<double>(at.segment) + at.u; };
-    const auto before = [&](std::uint32_t k) {
-      const Contact at = graph_.contacts[k];
-      return position(first ? SmoothPosition{at.segment1, at.t1.hi} : SmoothPosition{at.segment2, at.t2.hi});
-    };
-    const double turn =
-        before(next_contact) < before(contact) ? static_cast<double>((first ? c1_ : c2_).segments()) : 0;
-    const double from = moved_[node] ? position((*moved_[node]).*on) : before(contact);
-    const double to = moved_[next] ? position((*moved_[next]).*on) : before(next_contact);
-    return from > to + turn;
+  [[nodiscard]] std::uint32_t after(std::uint32_t rank) const { return rank + 1 == graph_.size() ? 0 : rank + 1; }
+  // Whether the node of that rank along a curve and the one that follows it have changed their order.
+  template <int curve>
+  [[nodiscard]] bool overtakes_along(std::uint32_t rank) const {
+    if constexpr (curve == 1) {
+      return overtakes(at1_, graph_.span(rank).last, graph_.span(after(rank)).first, true);
+    } else {
+      const NodeSpan here = graph_.span(graph_.along2()[rank]), there = graph_.span(graph_.along2()[after(rank)]);
+      return overtakes(at2_, leaves2(here), enters2(there), false);
+    }
   }
-  bool put_back(std::uint32_t node, std::uint32_t other) {
-    const bool any = moved_[node].has_value() || moved_[other].has_value();
+  // The contacts of the polygons say whether the first vertex lies between two.
+  [[nodiscard]] bool overtakes(const Buffer<double>& at, std::uint32_t contact, std::uint32_t next,
+                               bool on_first) const {
+    if (at[contact] <= at[next]) return false;
+    const auto before = [&](std::uint32_t k) {
+      const Contact here = graph_.contacts[k];
+      return on_first ? here.segment1 + here.t1.hi : here.segment2 + here.t2.hi;
+    };
+    const double turn = before(next) < before(contact) ? static_cast<double>((on_first ? c1_ : c2_).segments()) : 0;
+    return at[contact] > at[next] + turn;
+  }
+  // Ranks beside those that are put back become suspects. Whether any had been moved.
+  bool put_back(std::uint32_t node, std::uint32_t other, std::vector<std::uint64_t>& suspects) {
+    bool any = false;
+    const std::uint32_t count = graph_.size();
     for (const std::uint32_t k : {node, other}) {
-      if (!moved_[k]) continue;
-      moved_[k].reset();
+      if (moved_[k] == 0) continue;
+      any = true;
+      moved_[k] = 0;
+      ++unmoved_;
       const std::uint32_t contact = graph_.span(k).first;
-      ends_[contact] = SmoothContact(c1_, c2_, graph_.contacts[contact]).ends();
+      const Contact here = graph_.contacts[contact];
+      at1_[contact] = here.segment1 + here.t1.hi;
+      at2_[contact] = here.segment2 + here.t2.hi;
+      put_back_.push_back(contact);
+      for (const std::uint32_t rank : {k, graph_.rank2[k]}) {
+        for (const std::uint32_t first : {rank, rank == 0 ? count - 1 : rank - 1}) {
+          suspects[first / 64] |= 1ULL << first % 64;
+        }
+      }
     }
     return any;
   }
-
-  ArcEnds sum_at_contacts() {
-    const std::size_t count = graph_.contacts.size();
-    std::vector<std::uint32_t> segments1(count), segments2(count);
-    for (std::size_t k = 0; k < count; ++k) {
-      segments1[k] = graph_.contacts[k].segment1;
-      segments2[k] = graph_.contacts[graph_.contacts2[k]].segment2;
-    }
-    const ChordAreaTable sums1(c1_), sums2(c2_);
-    fallback_segments_ = sums1.fallbacks() + sums2.fallbacks();
-    ArcEnds ends{sums1.before(c1_, segments1), Buffer<ChordArea>(count), sums1.total(), sums2.total(), 0};
-    const Buffer<ChordArea> before2 = sums2.before(c2_, segments2);
-    for (std::size_t k = 0; k < count; ++k) ends.on2[graph_.contacts2[k]] = before2[k];
-
-    for (std::uint32_t k = 0; k < graph_.size(); ++k) {
-      const NodeSpan span = graph_.span(k);
-      double uncertainty = 0;
-      for (const std::uint32_t contact : {span.first, span.last}) {
-        if (straight_[contact] == 0) {
-          ends.on1[contact].area += DD{ends_[contact].on1, 0};
-          ends.on2[contact].area += DD{ends_[contact].on2, 0};
-        }
-        uncertainty += ends_[contact].uncertainty;
-        if (span.first == span.last) break;
+  void end_arcs_put_back() {
+    std::sort(put_back_.begin(), put_back_.end());
+    for_each_block(put_back_.size(), smooth_nodes_a_task, [&](std::size_t begin, std::size_t end) {
+      Buffer<PolygonContact> polygons;
+      polygons.reserve(end - begin);
+      for (std::size_t k = begin; k < end; ++k) {
+        polygons.push_back(polygon_contact(graph_.contacts[put_back_[k]], PolygonContact::Sense::stays));
       }
-      ends.uncertainty += uncertainty;
-      fallback_crossings_ += is_crossing(k) && straight_[span.first] == 0 && !moved_[k];
-    }
-    return ends;
+      Buffer<SmoothContact> found(end - begin);
+      move_contacts(c1_, c2_, polygons, false, found);
+      for (std::size_t k = begin; k < end; ++k) keep(put_back_[k], found[k - begin]);
+    });
   }
 
   // An area that comes out negative is one that smooth curves do not enclose.
@@ -157,17 +201,18 @@ class Builder {
   const NodeGraph& graph_;
   SmoothCurve c1_, c2_;
   int exponent_;
-  std::vector<std::optional<SmoothCrossing>> moved_;  // by node
-  std::vector<char> straight_;                        // by contact
-  Buffer<EndOfArcs> ends_;                            // by contact
-  std::uint64_t fallback_segments_ = 0, fallback_crossings_ = 0;
+  Buffer<char> moved_;              // by node
+  std::uint64_t unmoved_ = 0;       // crossings that should have been moved
+  Buffer<std::uint32_t> put_back_;  // contacts that have moved, and were put back
+  ArcEnds ends_;                    // by contact
+  Buffer<double> at1_, at2_;        // by contact: numbers of segments and parameters, where it has been moved to
 };
 
 }  // namespace
 
 SmoothAreas smooth_areas(const Overlay& result) {
   const CurveView &c1 = result.nodes.curve1(), &c2 = result.nodes.curve2();
-  const int exponent = scaling_exponent(union_of(box_of(c1.points), box_of(c2.points)));
+  const int exponent = result.nodes.data().exponent;
   if (exponent == 0) return Builder(result, c1, c2, 0).build();
   const std::vector<Point> first = scaled(c1, exponent), second = scaled(c2, exponent);
   return Builder(result, CurveView{first}, CurveView{second}, -2 * exponent).build();

@@ -21,8 +21,12 @@ class SmoothCurve {
   [[nodiscard]] std::size_t segments() const { return view_.segments(); }
   [[nodiscard]] Point vertex(std::int64_t k) const {
     if (k >= 0 && k < size_) return view_.points[static_cast<std::size_t>(k)];
-    if (!view_.closed) return beyond(k);
-    return view_.points[static_cast<std::size_t>((k % size_ + size_) % size_)];
+    return beyond(k);
+  }
+  /// The eight vertices about a segment if they lie in a row; else nothing, and segment() has to look for them, as it
+  /// has where two neighbours among them coincide.
+  [[nodiscard]] const Point* window(std::int64_t k) const {
+    return size_ < 8 || k < 3 || k + 4 >= size_ ? nullptr : view_.points.data() + (k - 3);
   }
   /// Curves of fewer vertices than a segment looks at stay polygons.
   [[nodiscard]] SmoothSegment segment(std::int64_t k) const {
@@ -32,17 +36,17 @@ class SmoothCurve {
       straight.chord = {b.x - a.x, b.y - a.y};
       return straight;
     }
-    std::array<Point, 8> window;
-    if (k >= 3 && k + 4 < size_) {
-      std::copy_n(view_.points.begin() + (k - 3), window.size(), window.begin());
-      if (!repeats(window)) return fit_smooth_segment(window);
+    std::array<Point, 8> around;
+    if (const Point* from = window(k); from != nullptr && !repeats({from, 8})) {
+      std::copy_n(from, around.size(), around.begin());
+      return fit_smooth_segment(around);
     }
-    window[3] = vertex(k);
-    window[4] = vertex(k + 1);
-    if (window[3] == window[4]) return {};  // as fit_smooth_segment; its neighbours may be far away
-    for (std::int64_t j = 2, at = k; j >= 0; --j) window[static_cast<std::size_t>(j)] = next_distinct(at, -1);
-    for (std::int64_t j = 5, at = k + 1; j < 8; ++j) window[static_cast<std::size_t>(j)] = next_distinct(at, 1);
-    return fit_smooth_segment(window);
+    around[3] = vertex(k);
+    around[4] = vertex(k + 1);
+    if (around[3] == around[4]) return {};  // as fit_smooth_segment; its neighbours may be far away
+    for (std::int64_t j = 2, at = k; j >= 0; --j) around[static_cast<std::size_t>(j)] = next_distinct(at, -1);
+    for (std::int64_t j = 5, at = k + 1; j < 8; ++j) around[static_cast<std::size_t>(j)] = next_distinct(at, 1);
+    return fit_smooth_segment(around);
   }
 
   /// The chord_area(1) and the error of the segments from `begin` on, at most `most`, and whether they are smooth:
@@ -51,6 +55,7 @@ class SmoothCurve {
     static constexpr std::size_t most = 256;
     std::array<double, most> areas, errors;
     std::array<std::uint8_t, most> smooth;
+    std::size_t straight;  ///< segments of positive length that are not
   };
   void fit(std::size_t begin, std::size_t end, Few& few) const {
     const std::size_t count = end - begin;
@@ -63,15 +68,20 @@ class SmoothCurve {
       for (std::size_t k = 0; k < count + 7; ++k) copied[k] = vertex(first + static_cast<std::int64_t>(k));
       points = std::span(copied).first(count + 7);
     }
-    if (size_ >= 8 && !repeats(points)) {
-      smooth_chord_areas(points.data(), count, few.areas.data(), few.errors.data(), few.smooth.data());
-      return;
+    if (size_ >= 8) {
+      const StraightSegments found =
+          smooth_chord_areas(points.data(), count, few.areas.data(), few.errors.data(), few.smooth.data());
+      few.straight = found.count;
+      if (!found.no_length) return;
     }
+    few.straight = 0;
     for (std::size_t k = 0; k < count; ++k) {
-      const SmoothSegment one = segment(static_cast<std::int64_t>(begin + k));
+      const auto at = static_cast<std::int64_t>(begin + k);
+      const SmoothSegment one = segment(at);
       few.areas[k] = one.chord_area(1);
       few.errors[k] = one.error;
       few.smooth[k] = one.kind == SmoothSegment::Kind::smooth;
+      few.straight += few.smooth[k] == 0 && !(vertex(at) == vertex(at + 1));
     }
   }
 
@@ -79,7 +89,8 @@ class SmoothCurve {
   [[nodiscard]] static bool repeats(std::span<const Point> points) {
     return std::adjacent_find(points.begin(), points.end()) != points.end();
   }
-  [[nodiscard]] Point beyond(std::int64_t k) const {
+  [[nodiscard, gnu::noinline]] Point beyond(std::int64_t k) const {
+    if (view_.closed) return view_.points[static_cast<std::size_t>((k % size_ + size_) % size_)];
     constexpr double much_longer = 1024;
     const std::int64_t end = k < 0 ? 0 : size_ - 1, inward = k < 0 ? 1 : -1;
     std::int64_t other = end;

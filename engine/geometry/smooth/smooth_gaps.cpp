@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/smooth/chord_areas.hpp"
@@ -17,24 +16,18 @@ constexpr std::size_t gaps_a_task = 256;
 class GapFinder {
  public:
   GapFinder(CurveView c1, CurveView c2, const NodeGraph& graph, std::span<const std::uint32_t> nodes)
-      : c1_(c1),
-        c2_(c2),
-        view1_(c1),
-        view2_(c2),
-        graph_(graph),
-        nodes_(nodes),
-        moved_(nodes.size()),
-        ends_(nodes.size()) {}
+      : c1_(c1), c2_(c2), view1_(c1), view2_(c2), graph_(graph), nodes_(nodes), found_(nodes.size()) {}
 
   SmoothGaps find(const ChordAreaTable& table1, const ChordAreaTable& table2) {
     for_each_block(nodes_.size(), gaps_a_task, [&](std::size_t begin, std::size_t end) {
+      Buffer<PolygonContact> polygons;
+      polygons.reserve(end - begin);
       for (std::size_t k = begin; k < end; ++k) {
-        SmoothContact smooth(c1_, c2_, contact(k));
-        if (graph_.span(nodes_[k]).direction == 0) {
-          moved_[k] = smooth.move_to_crossing(graph_.order[nodes_[k]] == rightward_to_left);
-        }
-        ends_[k] = smooth.ends();
+        const bool crosses = graph_.span(nodes_[k]).direction == 0;
+        const auto sense = crosses ? sense_of(graph_.order[nodes_[k]]) : PolygonContact::Sense::stays;
+        polygons.push_back(polygon_contact(contact(k), sense));
       }
+      move_contacts(c1_, c2_, polygons, true, std::span(found_).subspan(begin, end - begin));
     });
     // In order along C2.
     std::vector<std::uint32_t> order(nodes_.size());
@@ -60,11 +53,11 @@ class GapFinder {
     }
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
       SmoothGap& gap = gaps.at[k];
-      const EndOfArcs& end = ends_[k];
+      const EndOfArcs& end = found_[k].ends;
       gap.twice += two_diff(end.on1, end.on2);
       gap.uncertainty = end.uncertainty;
-      gap.moved = moved_[k].has_value();
-      gap.at = gap.moved ? point_at(moved_[k]->position1) : contact_point(contact(k), view1_, view2_);
+      gap.moved = found_[k].moved;
+      gap.at = gap.moved ? point_at(found_[k].on1) : contact_point(contact(k), view1_, view2_);
       gaps.fallback_crossings += !gap.moved;
     }
     return gaps;
@@ -77,10 +70,8 @@ class GapFinder {
     return {from.x + offset.x, from.y + offset.y};
   }
   [[nodiscard]] double position(std::size_t k, bool on_first) const {
-    const auto sum = [](const SmoothPosition& at) { return static_cast<double>(at.segment) + at.u; };
-    if (moved_[k]) return sum(on_first ? moved_[k]->position1 : moved_[k]->position2);
-    const Contact here = contact(k);
-    return on_first ? sum({here.segment1, here.t1.hi}) : sum({here.segment2, here.t2.hi});
+    const SmoothPosition& at = on_first ? found_[k].on1 : found_[k].on2;
+    return static_cast<double>(at.segment) + at.u;
   }
 
   // Crossings that would overtake one another stay where they were, which may put them in the way of others.
@@ -89,10 +80,10 @@ class GapFinder {
     const auto keep_apart = [&](std::size_t k, std::size_t next, bool on_first) {
       if (position(k, on_first) <= position(next, on_first)) return;
       for (const std::size_t node : {k, next}) {
-        if (!moved_[node]) continue;
+        if (!found_[node].moved) continue;
         changed = true;
-        moved_[node].reset();
-        ends_[node] = SmoothContact(c1_, c2_, contact(node)).ends();
+        const PolygonContact polygons = polygon_contact(contact(node), PolygonContact::Sense::stays);
+        move_contacts(c1_, c2_, {&polygons, 1}, true, {&found_[node], 1});
       }
     };
     while (changed) {
@@ -108,8 +99,7 @@ class GapFinder {
   CurveView view1_, view2_;
   const NodeGraph& graph_;
   std::span<const std::uint32_t> nodes_;
-  std::vector<std::optional<SmoothCrossing>> moved_;
-  std::vector<EndOfArcs> ends_;
+  std::vector<SmoothContact> found_;
 };
 
 }  // namespace
