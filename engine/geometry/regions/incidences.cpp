@@ -5,6 +5,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/crossings/pair_contacts.hpp"
+#include "engine/geometry/crossings/sort_by_segment.hpp"
 #include "kernels/pair_filter.hpp"
 
 namespace lober::detail {
@@ -34,6 +35,8 @@ struct CommonRun {
   std::uint32_t last;
   int direction;  // of C2
 };
+
+constexpr std::int8_t right_to_left = 1, left_to_right = -1;
 
 class IncidenceFinder final : public PairConsumer {
  public:
@@ -66,7 +69,8 @@ class IncidenceFinder final : public PairConsumer {
       if (verdict == PairVerdict::uncertain) {
         classify(i, j, number, *block);
       } else {
-        block->list.push_back({{}, {}, i, j, false, false});
+        block->list.push_back(
+            {i, j, verdict == PairVerdict::crosses_to_left ? right_to_left : left_to_right, false, false});
       }
     }
     return block->covered_end;
@@ -76,7 +80,7 @@ class IncidenceFinder final : public PairConsumer {
     if (!blocks_[number]) return;
     blocks_[number]->verdicts = {};
     drop_inside_runs(*blocks_[number]);
-    compute_parameters(*blocks_[number]);
+    sort_by_segment(blocks_[number]->list, number * block_segments, [](const Incidence& found) { return found.first; });
   }
 
   // Appends the findings; returns the number of incidences, those inside runs included.
@@ -87,11 +91,9 @@ class IncidenceFinder final : public PairConsumer {
       begin[k + 1] = begin[k] + (blocks_[k] ? blocks_[k]->list.size() : 0);
     }
     all.list.resize(begin.back());
+    all.parameters.resize(begin.back());
     for_each_block(blocks_.size(), 1, [&](std::size_t k, std::size_t) {
-      if (!blocks_[k]) return;
-      std::copy(blocks_[k]->list.begin(), blocks_[k]->list.end(),
-                all.list.begin() + static_cast<std::ptrdiff_t>(begin[k]));
-      blocks_[k]->list = {};
+      if (blocks_[k]) compute_parameters(*blocks_[k], all.list.data() + begin[k], all.parameters.data() + begin[k]);
     });
     std::uint64_t inside_runs = 0;
     for (const std::unique_ptr<Block>& block : blocks_) {
@@ -133,9 +135,9 @@ class IncidenceFinder final : public PairConsumer {
     if (b == c && (goes_on(a, b, d) || orient2d(a, b, d, counts) != 0)) return;
     if (d == a && (goes_on(c, d, b) || orient2d(c, d, b, counts) != 0)) return;
     const PairContacts found = contacts_of({a, b}, {c, d}, counts);
-    if (found.rho != 0) block.list.push_back({{}, {}, i, j, false, false});
-    if (found.start1_on) block.list.push_back({{}, {}, i, j, true, false});
-    if (found.start2_on) block.list.push_back({{}, {}, i, j, false, true});
+    if (found.rho != 0) block.list.push_back({i, j, found.rho > 0 ? right_to_left : left_to_right, false, false});
+    if (found.start1_on) block.list.push_back({i, j, 0, true, false});
+    if (found.start2_on) block.list.push_back({i, j, 0, false, true});
     if (!found.one_line || begin1_ != begin2_) return;
     if (b == c && follows(i, j) && folds(a, b, d, counts)) block.spikes.push_back(begin2_ + j);
     if (d == a && follows(j, i) && folds(c, d, b, counts)) block.spikes.push_back(begin1_ + i);
@@ -210,7 +212,7 @@ class IncidenceFinder final : public PairConsumer {
     if (!is_extreme(first) && !is_extreme(second) && keep_together(first, second, block.predicates)) {
       block.together.push_back({first, second});
     } else {
-      block.list.push_back({{}, {}, first - begin1_, second - begin2_, true, true});
+      block.list.push_back({first - begin1_, second - begin2_, 0, true, true});
     }
   }
 
@@ -237,17 +239,20 @@ class IncidenceFinder final : public PairConsumer {
     return on_segment(joint, after, before, counts) || on_segment(joint, before, after, counts);
   }
 
-  // Computes the parameters of a block and gives the segments their numbers.
-  void compute_parameters(Block& block) {
-    ParameterBatch<Incidence> batch(scale_);
-    for (Incidence& incidence : block.list) {
-      batch.add(c1_.segment(incidence.first), c2_.segment(incidence.second), incidence.starts1, incidence.starts2,
-                incidence);
-      incidence.first += begin1_;
-      incidence.second += begin2_;
+  // Moves the incidences of a block to where they stay, with their parameters, and gives the segments their numbers.
+  void compute_parameters(Block& block, Incidence* incidences, IncidenceParameters* parameters) const {
+    ParameterBatch<IncidenceParameters> batch(scale_);
+    for (const Incidence& found : block.list) {
+      *parameters = {};
+      batch.add(c1_.segment(found.first), c2_.segment(found.second), found.starts1, found.starts2, *parameters++);
+      *incidences = found;
+      incidences->first += begin1_;
+      incidences->second += begin2_;
+      ++incidences;
     }
     batch.flush();
     block.exact_parameters += batch.exact();
+    block.list = {};
   }
 
   const EdgeChains& edge_chains_;
@@ -298,13 +303,17 @@ Incidences find_incidences(const IndexedCurve& c1, const IndexedCurve* c2, Index
     return finder.append_to(found, together);
   };
   found.counts.self1 = with_itself(c1, 0);
+  found.begin[1] = found.list.size();
   if (c2 != nullptr) {
     found.counts.self2 = with_itself(*c2, 1);
+    found.begin[2] = found.list.size();
     const MetSegments met(edge_chains, found, together);
     IncidenceFinder finder(edge_chains, 0, 1, extreme, scale, &met);
     found.counts.search += find_pairs(c1, *c2, kind, finder);
     found.counts.mutual = finder.append_to(found, together);
   }
+  if (c2 == nullptr) found.begin[2] = found.list.size();
+  found.begin[3] = found.list.size();
   found.counts.along += vertices_along(edge_chains, found, together);
   return found;
 }
