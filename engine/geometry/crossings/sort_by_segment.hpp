@@ -1,4 +1,4 @@
-// What a search finds in a block of the first curve, sorted by its segments (private to geometry/).
+// Findings of a search in a block of the first curve, sorted by its segments (private to geometry/).
 #pragma once
 
 #include <algorithm>

@@ -137,7 +137,7 @@ class EventMaker {
 
   // Sorts candidates along their segment, and marks where a new event begins, but for the first one.
   void sort_on_segment(std::uint32_t* candidates, std::size_t count, std::uint64_t& exact) const {
-    // Of several candidates that are one point, one that does not depend on the order of incidences comes first.
+    // Where several candidates are one point, one that does not depend on the order of incidences comes first.
     const auto preferred = [](const Event& x, const Event& y) {
       return x.kind != y.kind ? x.kind < y.kind : x.other < y.other;
     };
@@ -201,7 +201,7 @@ class EventMaker {
   }
 
   const EdgeChains& edge_chains_;
-  std::array<std::size_t, 4> begin_;  // of the parts of the incidences
+  std::array<std::size_t, 4> begin_;  // where parts of the incidences begin
   std::array<std::uint32_t, 2> extreme_;
   std::uint32_t ends_ = 0;                   // candidates that are ends of incidences; the isolated ones follow:
   std::array<std::size_t, 2> spikes_end_{};  // by curve its spikes, then, with this number, its extreme vertex

@@ -35,7 +35,7 @@ struct Events {
   Buffer<Incidence> incidences;
   Buffer<IncidenceParameters> parameters;
   std::vector<std::uint32_t> isolated;     ///< segments whose first ends are events without an incidence
-  Buffer<std::uint32_t> candidate;         ///< of each event, in order along C1, then along C2
+  Buffer<std::uint32_t> candidate;         ///< that each event is, in order along C1, then along C2
   Buffer<std::uint32_t> node;              ///< the first event of the node of each event, by which nodes are named
   Buffer<std::uint32_t> next_at_node;      ///< another event of the same node, all round it
   std::array<std::uint32_t, 3> begin{};    ///< events of curve c (0, 1): begin[c] .. begin[c + 1]; at least one each

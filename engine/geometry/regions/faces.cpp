@@ -133,7 +133,7 @@ class FaceMaker {
   const HalfEdges& graph_;
   const EdgeSums& sums_;
   std::vector<Guest> guests_;
-  std::size_t count_;            // of the faces
+  std::size_t count_;            // number of faces
   Buffer<std::uint32_t> start_;  // by face: the lowest half-edge of its own walk
   RegionFaces faces_;
 };

@@ -49,7 +49,7 @@ struct RegionFaces {
 
   Buffer<std::uint32_t> of;  ///< the face to the left of each half-edge that stands for itself
   Buffer<DD> twice_area;     ///< twice the area of each face, meaningless for the unbounded one
-  Buffer<FaceLabel> labels;  ///< of each face
+  Buffer<FaceLabel> labels;  ///< one for each face
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(twice_area.size()); }
 };

@@ -44,7 +44,7 @@ struct MergedEdge {
   Multiplicity times;
 };
 
-// What a block of events finds besides the order round its nodes.
+// Findings in a block of events besides the order round its nodes.
 struct BlockFindings {
   std::vector<MergedEdge> merged;
   std::uint32_t merged_away = 0;  // half-edges

@@ -33,7 +33,7 @@ class MetSegments {
 struct CommonRun {
   std::uint32_t first;
   std::uint32_t last;
-  int direction;  // of C2
+  int direction;  // +1 if C2 runs from first to last, else -1
 };
 
 constexpr std::int8_t right_to_left = 1, left_to_right = -1;

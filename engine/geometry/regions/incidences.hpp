@@ -55,8 +55,8 @@ inline constexpr bool lober::left_unfilled<lober::detail::IncidenceParameters> =
 namespace lober::detail {
 
 struct Incidences {
-  Buffer<Incidence> list;                  ///< of C1 and itself, C2 and itself, C1 and C2
-  Buffer<IncidenceParameters> parameters;  ///< of each
+  Buffer<Incidence> list;                  ///< those of C1 and itself, C2 and itself, C1 and C2
+  Buffer<IncidenceParameters> parameters;  ///< one for each
   std::array<std::size_t, 4> begin{};      ///< where the three parts of the list begin, and its size
   std::vector<std::uint32_t> spikes;       ///< segments whose first end is the end of a spike; one may occur twice
   IncidenceCounts counts;
