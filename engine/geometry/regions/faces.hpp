@@ -4,6 +4,7 @@
 // is one closed walk, plus the outer walk of the other component if that lies inside the face.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "engine/geometry/regions/half_edges.hpp"
@@ -28,12 +29,12 @@ struct EdgeSums {
   struct Sum {
     DD value;
   };
-  Buffer<Sum> up_to;         ///< each event of C1, once more its first one after a turn, then the same for C2
-  std::uint32_t second = 0;  ///< the first edge of C2
+  std::array<Buffer<Sum>, 2> up_to;  ///< by curve: each event, and its first one once more after a turn
+  std::uint32_t second = 0;          ///< the first edge of C2
 
   [[nodiscard]] DD operator[](std::uint32_t edge) const {
-    const std::size_t k = std::size_t{edge} + (edge < second ? 0 : 1);
-    return up_to[k + 1].value - up_to[k].value;
+    const Sum* const sum = edge < second ? &up_to[0][edge] : &up_to[1][edge - second];
+    return sum[1].value - sum[0].value;
   }
 };
 

@@ -91,9 +91,9 @@ class IncidenceFinder final : public PairConsumer {
       begin[k + 1] = begin[k] + (blocks_[k] ? blocks_[k]->list.size() : 0);
     }
     all.list.resize(begin.back());
-    all.parameters.resize(begin.back());
+    for (Buffer<IncidenceParameter>& parameters : all.parameters) parameters.resize(begin.back());
     for_each_block(blocks_.size(), 1, [&](std::size_t k, std::size_t) {
-      if (blocks_[k]) compute_parameters(*blocks_[k], all.list.data() + begin[k], all.parameters.data() + begin[k]);
+      if (blocks_[k]) move_to(all, begin[k], *blocks_[k]);
     });
     std::uint64_t inside_runs = 0;
     for (const std::unique_ptr<Block>& block : blocks_) {
@@ -239,18 +239,27 @@ class IncidenceFinder final : public PairConsumer {
     return on_segment(joint, after, before, counts) || on_segment(joint, before, after, counts);
   }
 
-  // Moves the incidences of a block to where they stay, with their parameters, and gives the segments their numbers.
-  void compute_parameters(Block& block, Incidence* incidences, IncidenceParameters* parameters) const {
-    ParameterBatch<IncidenceParameters> batch(scale_);
-    for (const Incidence& found : block.list) {
-      *parameters = {};
-      batch.add(c1_.segment(found.first), c2_.segment(found.second), found.starts1, found.starts2, *parameters++);
-      *incidences = found;
-      incidences->first += begin1_;
-      incidences->second += begin2_;
-      ++incidences;
+  struct Parameters {
+    DD t1, t2;
+  };
+
+  // Moves the incidences of a block to where they stay, from `begin` on, gives their segments their numbers and
+  // computes their parameters.
+  void move_to(Incidences& all, std::size_t begin, Block& block) const {
+    ParameterBatch<Parameters> batch(scale_);
+    Buffer<Parameters> computed(block.list.size());
+    for (std::size_t k = 0; k < computed.size(); ++k) {
+      const Incidence& found = block.list[k];
+      batch.add(c1_.segment(found.first), c2_.segment(found.second), found.starts1, found.starts2, computed[k]);
+      all.list[begin + k] = found;
+      all.list[begin + k].first += begin1_;
+      all.list[begin + k].second += begin2_;
     }
     batch.flush();
+    for (std::size_t k = 0; k < computed.size(); ++k) {
+      all.parameters[0][begin + k].t = computed[k].t1;
+      all.parameters[1][begin + k].t = computed[k].t2;
+    }
     block.exact_parameters += batch.exact();
     block.list = {};
   }

@@ -34,8 +34,8 @@ struct Incidence {
   std::int8_t rho;              ///< proper crossing: +1 if `second` passes from right to left of `first`, -1; else 0
   bool starts1, starts2;        ///< the point is the first end of the segment; for a proper crossing neither is true
 };
-struct IncidenceParameters {
-  DD t1, t2;  ///< in [0, 1) on the two segments; zero at a first end
+struct IncidenceParameter {
+  DD t;  ///< in [0, 1) on a segment; zero at its first end
 };
 
 struct IncidenceCounts {
@@ -50,15 +50,15 @@ struct IncidenceCounts {
 }  // namespace lober::detail
 
 template <>
-inline constexpr bool lober::left_unfilled<lober::detail::IncidenceParameters> = true;
+inline constexpr bool lober::left_unfilled<lober::detail::IncidenceParameter> = true;
 
 namespace lober::detail {
 
 struct Incidences {
-  Buffer<Incidence> list;                  ///< those of C1 and itself, C2 and itself, C1 and C2
-  Buffer<IncidenceParameters> parameters;  ///< one for each
-  std::array<std::size_t, 4> begin{};      ///< where the three parts of the list begin, and its size
-  std::vector<std::uint32_t> spikes;       ///< segments whose first end is the end of a spike; one may occur twice
+  Buffer<Incidence> list;                                ///< those of C1 and itself, C2 and itself, C1 and C2
+  std::array<Buffer<IncidenceParameter>, 2> parameters;  ///< on the first segment of each, and on the second
+  std::array<std::size_t, 4> begin{};                    ///< where the three parts of the list begin, and its size
+  std::vector<std::uint32_t> spikes;  ///< segments whose first end is the end of a spike; one may occur twice
   IncidenceCounts counts;
 };
 

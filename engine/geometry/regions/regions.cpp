@@ -136,7 +136,6 @@ class RegionBuilder {
   EdgeSums sum_edges(Arrangement& scene) {
     const Events& events = scene.events;
     EdgeSums sums;
-    sums.up_to.resize(events.size() + std::size_t{2});
     sums.second = events.begin[1];
     double largest = 0, additions = 4096;
     for (int curve = 0; curve < scene.edge_chains.curves(); ++curve) {
@@ -144,7 +143,8 @@ class RegionBuilder {
       const std::uint32_t first = events.begin[static_cast<std::size_t>(curve)];
       const std::uint32_t count = events.begin[static_cast<std::size_t>(curve) + 1] - first;
       const std::uint32_t offset = scene.edge_chains.first_of(curve);
-      EdgeSums::Sum* const up_to = sums.up_to.data() + first + curve;
+      Buffer<EdgeSums::Sum>& up_to = sums.up_to[static_cast<std::size_t>(curve)];
+      up_to.resize(count + std::size_t{1});
       const SumAlong along = sum_along(
           tree, c1_.view().points[0], count,
           [&](std::size_t k) {
