@@ -30,7 +30,6 @@ const KernelTable LOBER_KERNELS{
     .distribute = distribute_nodes,
     .refine = refine_nodes,
     .follow_ray = follow_ray_down,
-    .leaves_on_ray = sort_leaves_on_ray,
     .crossings_of_height = crossings_of_leaf,
     .chebyshev_points = evaluate_chebyshev,
     .four_parameters = four_parameters,

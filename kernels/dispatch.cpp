@@ -23,11 +23,6 @@ RayProgress follow_ray(Point point, const RayTree& tree, std::uint32_t level, st
   return kernels().follow_ray(point, tree, level, list, count);
 }
 
-RayCounts leaves_on_ray(Point point, const Box* leaf_boxes, const std::uint32_t* list, std::size_t count,
-                        std::uint32_t* around, std::uint32_t* ahead) {
-  return kernels().leaves_on_ray(point, leaf_boxes, list, count, around, ahead);
-}
-
 HeightCrossings crossings_of_height(const Point* points, Point point) {
   return kernels().crossings_of_height(points, point);
 }

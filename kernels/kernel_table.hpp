@@ -32,8 +32,6 @@ struct KernelTable {
                         TreeNode* kept, TreeNode* split);
   RayProgress (*follow_ray)(Point point, const RayTree& tree, std::uint32_t level, std::uint32_t* list,
                             std::size_t count);
-  RayCounts (*leaves_on_ray)(Point point, const Box* leaf_boxes, const std::uint32_t* list, std::size_t count,
-                             std::uint32_t* around, std::uint32_t* ahead);
   HeightCrossings (*crossings_of_height)(const Point* points, Point point);
   void (*chebyshev_points)(const Point* coefficients, std::size_t degrees, double centre, double half_width,
                            const double* parameters, std::size_t size, Point* points);

@@ -37,17 +37,6 @@ struct RayProgress {
 /// ray_room entries.
 RayProgress follow_ray(Point point, const RayTree& tree, std::uint32_t level, std::uint32_t* list, std::size_t count);
 
-/// The numbers of nodes that went to each list.
-struct RayCounts {
-  std::size_t around = 0;  ///< nodes that a ray may begin in, or beside
-  std::size_t ahead = 0;   ///< nodes that lie wholly to the right of it
-};
-
-/// Sorts those of `count` leaves that a ray from `point` to the right meets, out of a list of their numbers. Room for
-/// `count` + 1 is needed in both lists.
-RayCounts leaves_on_ray(Point point, const Box* leaf_boxes, const std::uint32_t* list, std::size_t count,
-                        std::uint32_t* around, std::uint32_t* ahead);
-
 /// Where the segments of a leaf pass the height of a point. Segment i is bit 2 i + 1 of a word.
 struct HeightCrossings {
   std::int32_t number = 0;         ///< upward ones less downward ones, of segments wholly to the right

@@ -12,18 +12,10 @@ inline Lanes bound_of_ray(Point point) {
   return Lanes{point.x, point.y, -point.x, -point.y};
 }
 
-inline RayCounts sort_leaves_on_ray(Point point, const Box* leaf_boxes, const std::uint32_t* list, std::size_t count,
-                                    std::uint32_t* around, std::uint32_t* ahead) {
-  const Lanes bound = bound_of_ray(point);
-  RayCounts end;
-  for (std::size_t k = 0; k < count; ++k) {
-    const unsigned bits = mask_bits(load(leaf_boxes[list[k]].lane) <= bound);
-    around[end.around] = ahead[end.ahead] = list[k];
-    end.around += static_cast<unsigned>(bits == 15);
-    end.ahead += static_cast<unsigned>(bits == 14);
-  }
-  return end;
-}
+// The numbers of nodes that went to each list: those that a ray may begin in, or beside, and those wholly to the right.
+struct RayCounts {
+  std::size_t around = 0, ahead = 0;
+};
 
 inline RayCounts go_down_ray(Point point, BoxPyramid pyramid, std::uint32_t below, std::uint32_t down,
                              const std::uint32_t* list, std::size_t count, std::uint32_t* around,

@@ -16,17 +16,75 @@ inline BasicDD<Lanes> terms_of(Lanes ax, Lanes ay, Lanes bx, Lanes by, Lanes x, 
   return fast_two_sum(main.hi, main.lo + ((left.lo - right.lo) + (rx.lo * ey.hi - ry.lo * ex.hi)));
 }
 
-// Lane l takes the l-th quarter of the leaf, so that four sums run side by side; in the end each is raised by what
-// comes before its quarter.
-inline DD prefixes_of(const Point* points, Point origin, DD start, const DD* extra, LeafPrefixes& result) {
+// Calls take(i, term) for each step i of a leaf, in order: lane l goes along the l-th quarter of the leaf, so that four
+// sums run side by side.
+#ifdef __AVX512F__
+using EightLanes = double __attribute__((vector_size(64)));
+
+LOBER_INLINE EightLanes joined(Lanes a, Lanes b) {
+  return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+LOBER_INLINE BasicDD<EightLanes> two_product_of_eight(EightLanes a, EightLanes b) {
+  const EightLanes product = a * b;
+  return {product, _mm512_fmsub_pd(a, b, product)};
+}
+
+// Two steps at once, where all differences are exact in double.
+template <typename Take>
+LOBER_INLINE void for_each_step(const Point* points, Point origin, const Take& take) {
   const double* coordinates = &points[0].x;
   const Lanes x = splat(origin.x), y = splat(origin.y);
-  Lanes high = splat(0), low = splat(0);
+  const EightLanes x8 = joined(x, x), y8 = joined(y, y);
+  // The points of step i and of the next one.
+  const auto load_step = [&](std::size_t i, Lanes (&row)[lanes]) {
+    for (std::size_t l = 0; l < lanes; ++l) row[l] = load(coordinates + 2 * (l * LeafPrefixes::quarter + i));
+    transpose(row);
+  };
+  Lanes row[lanes];
+  load_step(0, row);
+  for (std::size_t i = 0; i < LeafPrefixes::quarter; i += 2) {
+    Lanes next[lanes];
+    const bool last = i + 2 == LeafPrefixes::quarter;
+    load_step(last ? i + 1 : i + 2, next);
+    const Lanes end_x = last ? next[2] : next[0], end_y = last ? next[3] : next[1];
+    const EightLanes ax = joined(row[0], row[2]), ay = joined(row[1], row[3]);
+    const BasicDD<EightLanes> ex = two_diff(joined(row[2], end_x), ax), ey = two_diff(joined(row[3], end_y), ay);
+    if (_mm512_cmp_pd_mask(ex.lo, EightLanes{}, _CMP_EQ_OQ) == 255 &&
+        _mm512_cmp_pd_mask(ey.lo, EightLanes{}, _CMP_EQ_OQ) == 255) {
+      const BasicDD<EightLanes> rx = two_diff(ax, x8), ry = two_diff(ay, y8);
+      const BasicDD<EightLanes> left = two_product_of_eight(rx.hi, ey.hi), right = two_product_of_eight(ry.hi, ex.hi);
+      const BasicDD<EightLanes> main = two_diff(left.hi, right.hi);
+      const BasicDD<EightLanes> term =
+          fast_two_sum(main.hi, main.lo + ((left.lo - right.lo) + (rx.lo * ey.hi - ry.lo * ex.hi)));
+      take(i, BasicDD<Lanes>{__builtin_shufflevector(term.hi, term.hi, 0, 1, 2, 3),
+                             __builtin_shufflevector(term.lo, term.lo, 0, 1, 2, 3)});
+      take(i + 1, BasicDD<Lanes>{__builtin_shufflevector(term.hi, term.hi, 4, 5, 6, 7),
+                                 __builtin_shufflevector(term.lo, term.lo, 4, 5, 6, 7)});
+    } else {
+      take(i, terms_of(row[0], row[1], row[2], row[3], x, y));
+      take(i + 1, terms_of(row[2], row[3], end_x, end_y, x, y));
+    }
+    for (std::size_t l = 0; l < lanes; ++l) row[l] = next[l];
+  }
+}
+#else
+template <typename Take>
+LOBER_INLINE void for_each_step(const Point* points, Point origin, const Take& take) {
+  const double* coordinates = &points[0].x;
+  const Lanes x = splat(origin.x), y = splat(origin.y);
   for (std::size_t i = 0; i < LeafPrefixes::quarter; ++i) {
     Lanes row[lanes];
     for (std::size_t l = 0; l < lanes; ++l) row[l] = load(coordinates + 2 * (l * LeafPrefixes::quarter + i));
     transpose(row);
-    const BasicDD<Lanes> term = terms_of(row[0], row[1], row[2], row[3], x, y);
+    take(i, terms_of(row[0], row[1], row[2], row[3], x, y));
+  }
+}
+#endif
+
+// In the end each of the four sums is raised by what comes before its quarter.
+inline DD prefixes_of(const Point* points, Point origin, DD start, const DD* extra, LeafPrefixes& result) {
+  Lanes high = splat(0), low = splat(0);
+  for_each_step(points, origin, [&](std::size_t i, BasicDD<Lanes> term) {
     const std::size_t at = i * lanes;
     store(result.term_high + at, term.hi);
     store(result.term_low + at, term.lo);
@@ -44,7 +102,7 @@ inline DD prefixes_of(const Point* points, Point origin, DD start, const DD* ext
       low += sum.lo + more_low;
     }
     high = sum.hi;
-  }
+  });
   Lanes start_high, start_low;
   for (std::size_t l = 0; l < lanes; ++l) {
     start_high[l] = start.hi;
@@ -62,17 +120,12 @@ inline DD prefixes_of(const Point* points, Point origin, DD start, const DD* ext
 
 // The same without what comes before each segment.
 inline DD sum_of_leaf(const Point* points, Point origin) {
-  const double* coordinates = &points[0].x;
-  const Lanes x = splat(origin.x), y = splat(origin.y);
   Lanes high = splat(0), low = splat(0);
-  for (std::size_t i = 0; i < LeafPrefixes::quarter; ++i) {
-    Lanes row[lanes];
-    for (std::size_t l = 0; l < lanes; ++l) row[l] = load(coordinates + 2 * (l * LeafPrefixes::quarter + i));
-    transpose(row);
-    const BasicDD<Lanes> term = terms_of(row[0], row[1], row[2], row[3], x, y), sum = two_sum(high, term.hi);
+  for_each_step(points, origin, [&](std::size_t /*i*/, BasicDD<Lanes> term) {
+    const BasicDD<Lanes> sum = two_sum(high, term.hi);
     high = sum.hi;
     low += sum.lo + term.lo;
-  }
+  });
   DD total;
   for (std::size_t l = 0; l < lanes; ++l) {
     const DD sum = two_sum(total.hi, high[l]);

@@ -128,48 +128,19 @@ void check_tree(const KernelTable& kernels) {
   EXPECT_GT(in_parts, 10U);
 }
 
-void check_sorting(const KernelTable& kernels) {
-  Random random(seed());
-  for (int attempt = 0; attempt < 300; ++attempt) {
-    const bool grid = random.chance(0.7);
-    const Tree tree(random, grid);
-    const Point at = some_point(random, grid);
-    std::vector<std::uint32_t> list, expected_around, expected_ahead;
-    for (std::uint32_t k = 0; k < tree.size[0]; ++k) {
-      if (random.chance(0.5)) continue;
-      list.push_back(k);
-      const Box& box = tree.boxes[k];
-      if (box.min_y() > at.y || box.max_y() < at.y || box.max_x() < at.x) continue;
-      (box.min_x() > at.x ? expected_ahead : expected_around).push_back(k);
-    }
-    std::vector<std::uint32_t> around(list.size() + 1), ahead(list.size() + 1);
-    const RayCounts found =
-        kernels.leaves_on_ray(at, tree.boxes.data(), list.data(), list.size(), around.data(), ahead.data());
-    around.resize(found.around);
-    ahead.resize(found.ahead);
-    ASSERT_EQ(around, expected_around) << "try " << attempt;
-    ASSERT_EQ(ahead, expected_ahead) << "try " << attempt;
-  }
-}
-
 TEST(Ray, PassesALeaf) {
   check_leaf(baseline_kernels);
 }
 TEST(Ray, GoesDownATree) {
   check_tree(baseline_kernels);
 }
-TEST(Ray, SortsLeaves) {
-  check_sorting(baseline_kernels);
-}
 TEST(Ray, TheOtherCopiesToo) {
   if (!has_avx2()) GTEST_SKIP() << "this processor has no AVX2 and FMA: only one copy can run";
   check_leaf(avx2_kernels);
   check_tree(avx2_kernels);
-  check_sorting(avx2_kernels);
   if (!has_avx512()) GTEST_SKIP() << "this processor has no AVX-512: two of three copies ran";
   check_leaf(avx512_kernels);
   check_tree(avx512_kernels);
-  check_sorting(avx512_kernels);
 }
 
 }  // namespace

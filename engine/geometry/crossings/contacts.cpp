@@ -1,13 +1,13 @@
 #include "engine/geometry/crossings/contacts.hpp"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <memory>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/geometry/crossings/pair_contacts.hpp"
+#include "engine/geometry/crossings/sort_by_segment.hpp"
 #include "engine/geometry/curve/countable.hpp"
 #include "engine/geometry/curve/point_along.hpp"
 #include "kernels/pair_filter.hpp"
@@ -76,7 +76,7 @@ class ContactFinder final : public PairConsumer {
     if (!blocks_[number]) return;
     Block& block = *blocks_[number];
     drop_inside_runs(block);
-    sort_by_segment(block.hits, number * block_segments);
+    sort_by_segment(block.hits, number * block_segments, [](const Hit& hit) { return hit.segment1; });
     block.verdicts = {};
   }
 
@@ -174,24 +174,6 @@ class ContactFinder final : public PairConsumer {
                                           [](std::uint32_t value, const Run& run) { return value <= run.first; });
       return after != merged.begin() && hit.segment1 < std::prev(after)->last;
     });
-  }
-
-  // Keeps the order of hits on one segment. A counting sort where there are many: a block has few segments.
-  static void sort_by_segment(Buffer<Hit>& hits, std::uint32_t first_segment) {
-    const auto less = [](const Hit& x, const Hit& y) { return x.segment1 < y.segment1; };
-    if (std::is_sorted(hits.begin(), hits.end(), less)) return;
-    if (hits.size() < block_segments / 16) {
-      for (auto next = hits.begin() + 1; next != hits.end(); ++next) {
-        std::rotate(std::upper_bound(hits.begin(), next, *next, less), next, next + 1);
-      }
-      return;
-    }
-    std::array<std::uint32_t, block_segments + 1> begin{};
-    for (const Hit& hit : hits) ++begin[hit.segment1 - first_segment + 1];
-    for (std::uint32_t k = 0; k < block_segments; ++k) begin[k + 1] += begin[k];
-    Buffer<Hit> sorted(hits.size());
-    for (const Hit& hit : hits) sorted[begin[hit.segment1 - first_segment]++] = hit;
-    hits.swap(sorted);
   }
 
   // Computes the parameters of all hits of the block. Returns whether all are proper crossings.

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "engine/geometry/index/vertex_rays.hpp"
+#include "engine/geometry/index/vertex_windings.hpp"
 #include "kernels/predicates.hpp"
 
 namespace lober::detail {
@@ -78,44 +78,68 @@ class ArcLabeller {
   const ContactsAlong& contacts_;
 };
 
-}  // namespace
+// The vertices that label the parts after all contacts, `no_vertex` where there is none, and those that there are, in
+// ascending order but for the last one: the way from the last contact to the first one may begin with the first vertex.
+struct LabellingVertices {
+  Buffer<std::uint32_t> after, all;
+  bool wraps = false;
 
-ArcLabels label_arcs(const IndexedCurve& own, const IndexedCurve& other, bool other_clockwise,
-                     const ContactsAlong& contacts) {
-  const ArcLabeller labeller(own.view(), other, other_clockwise, contacts);
-  const std::size_t count = contacts.size();
-  Buffer<std::uint32_t> vertices(count);
+  [[nodiscard]] std::span<const std::uint32_t> in_order() const {
+    return std::span(all).first(all.size() - static_cast<std::size_t>(wraps));
+  }
+};
+
+LabellingVertices labelling_vertices(const ArcLabeller& labeller, std::size_t count) {
+  LabellingVertices vertices;
+  vertices.after.resize(count);
   for_each_block(count, arcs_a_block, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) vertices[k] = labeller.vertex_after(k);
+    for (std::size_t k = begin; k < end; ++k) vertices.after[k] = labeller.vertex_after(k);
   });
-  Buffer<std::uint32_t> located(count);  // vertices in ascending order
+  vertices.all.resize(count);
   std::size_t queries = 0;
   for (std::size_t k = 0; k < count; ++k) {
-    located[queries] = vertices[k];
-    queries += static_cast<std::size_t>(vertices[k] != no_vertex);
+    vertices.all[queries] = vertices.after[k];
+    queries += static_cast<std::size_t>(vertices.after[k] != no_vertex);
   }
-  // The way from the last contact to the first one may begin with the first vertex.
-  const bool wraps = queries > 1 && located[queries - 1] < located[queries - 2];
-  const std::size_t in_order = queries - static_cast<std::size_t>(wraps);
-  const Buffer<RayCrossings> rays = vertex_rays(own.tree(), other.tree(), std::span(located).first(in_order));
-  const auto side_by = [](const RayCrossings& ray) {
-    return ray.on ? Side::on : ray.number != 0 ? Side::inside : Side::outside;
+  vertices.all.resize(queries);
+  vertices.wraps = queries > 1 && vertices.all[queries - 1] < vertices.all[queries - 2];
+  return vertices;
+}
+
+ArcLabels labels_by(const ArcLabeller& labeller, const LabellingVertices& vertices,
+                    const Buffer<RayCrossings>& windings, const IndexedCurve& own, const IndexedCurve& other) {
+  const auto side_by = [](const RayCrossings& there) {
+    return there.on ? Side::on : there.number != 0 ? Side::inside : Side::outside;
   };
+  const std::size_t count = vertices.after.size();
   ArcLabels result;
-  result.queries = queries;
+  result.queries = vertices.all.size();
   result.after.resize(count);
   std::size_t next = 0;
   for (std::size_t k = 0; k < count; ++k) {
-    if (vertices[k] == no_vertex) continue;
-    result.after[k] = next < in_order ? side_by(rays[next]) : locate(other, own.view().points[vertices[k]]);
+    const std::uint32_t vertex = vertices.after[k];
+    if (vertex == no_vertex) continue;
+    result.after[k] = next < windings.size() ? side_by(windings[next]) : locate(other, own.view().points[vertex]);
     ++next;
   }
   for_each_block(count, arcs_a_block, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      if (vertices[k] == no_vertex) result.after[k] = labeller.label_straight(k);
+      if (vertices.after[k] == no_vertex) result.after[k] = labeller.label_straight(k);
     }
   });
   return result;
+}
+
+}  // namespace
+
+std::array<ArcLabels, 2> label_arcs(const IndexedCurve& c1, const IndexedCurve& c2, std::array<bool, 2> clockwise,
+                                    const std::array<ContactsAlong, 2>& contacts) {
+  const ArcLabeller labeller1(c1.view(), c2, clockwise[1], contacts[0]);
+  const ArcLabeller labeller2(c2.view(), c1, clockwise[0], contacts[1]);
+  const LabellingVertices vertices1 = labelling_vertices(labeller1, contacts[0].size());
+  const LabellingVertices vertices2 = labelling_vertices(labeller2, contacts[1].size());
+  const auto windings = vertex_windings(c1, c2, {vertices1.in_order(), vertices2.in_order()});
+  return {labels_by(labeller1, vertices1, windings[0], c1, c2), labels_by(labeller2, vertices2, windings[1], c2, c1)};
 }
 
 }  // namespace lober::detail

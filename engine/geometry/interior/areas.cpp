@@ -54,6 +54,7 @@ class InteriorBuilder {
     report(0.5);
     const double extent = union_of(c1_.tree().box(), c2_.tree().box()).extent();
     const bool split = options_.method == InteriorMethod::split;
+    if (split) label_parts();
     const SideSums sums1 = split ? split_sums(1, extent) : end_sums(1, extent);
     report(0.75);
     const SideSums sums2 = split ? split_sums(2, extent) : end_sums(2, extent);
@@ -85,11 +86,17 @@ class InteriorBuilder {
   [[nodiscard]] const IndexedCurve& other(int curve) const { return curve == 1 ? c2_ : c1_; }
   [[nodiscard]] Point origin() const { return c1_.view().points[0]; }
 
+  void label_parts() {
+    const Stopwatch watch;
+    const std::array<ContactsAlong, 2> contacts{ContactsAlong(result_.nodes, 1), ContactsAlong(result_.nodes, 2)};
+    labels_ = label_arcs(c1_, c2_, {result_.nodes.clockwise1(), result_.nodes.clockwise2()}, contacts);
+    result_.timing.labels += watch.seconds();
+  }
+
   SideSums split_sums(int curve, double extent) {
     const Stopwatch label_watch;
     const ContactsAlong contacts(result_.nodes, curve);
-    const bool other_clockwise = curve == 1 ? result_.nodes.clockwise2() : result_.nodes.clockwise1();
-    ArcLabels labels = label_arcs(own(curve), other(curve), other_clockwise, contacts);
+    ArcLabels& labels = labels_[static_cast<std::size_t>(curve) - 1];
     Side whole = Side::outside;
     if (contacts.size() == 0) {
       whole = locate(other(curve), own(curve).view().points[0]);
@@ -157,6 +164,7 @@ class InteriorBuilder {
   const IndexedCurve& c2_;
   const InteriorOptions& options_;
   int exponent_;
+  std::array<ArcLabels, 2> labels_;  // sides of the parts of either curve
   InteriorAreas result_;
 };
 

@@ -15,10 +15,7 @@ struct Arrangement {
   double lost = 0;        ///< bound on the error of any area before it is rounded to double
 
   [[nodiscard]] double area(DD twice) const;
-  [[nodiscard]] Point node_point(std::uint32_t node) const {
-    return point_of(edge_chains, events.list[first_event[node]]);
-  }
-  Buffer<std::uint32_t> first_event;  ///< first event of each node
+  [[nodiscard]] Point node_point(std::uint32_t node) const { return point_of(edge_chains, events[node]); }
 
   std::vector<WindingArea> table;
   Buffer<DD> twice_areas;  ///< areas of the table

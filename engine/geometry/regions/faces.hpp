@@ -4,6 +4,7 @@
 // is one closed walk, plus the outer walk of the other component if that lies inside the face.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "engine/geometry/regions/half_edges.hpp"
@@ -16,22 +17,48 @@ struct Windings {
   friend auto operator<=>(const Windings&, const Windings&) = default;
 };
 
+/// How a face is reached from the unbounded one.
+struct FaceLabel {
+  Windings windings;    ///< winding numbers in the face
+  std::uint32_t entry;  ///< a half-edge on its boundary; to the right of it lies a face of lower rank
+  std::uint32_t rank;   ///< breadth-first order from the unbounded face
+};
+
+/// Shoelace sums of all edges about one origin, as differences of those from the first vertices of the curves on.
+struct EdgeSums {
+  struct Sum {
+    DD value;
+  };
+  std::array<Buffer<Sum>, 2> up_to;  ///< by curve: each event, and its first one once more after a turn
+  std::uint32_t second = 0;          ///< the first edge of C2
+
+  [[nodiscard]] DD operator[](std::uint32_t edge) const {
+    const Sum* const sum = edge < second ? &up_to[0][edge] : &up_to[1][edge - second];
+    return sum[1].value - sum[0].value;
+  }
+};
+
+}  // namespace lober::detail
+
+template <>
+inline constexpr bool lober::left_unfilled<lober::detail::EdgeSums::Sum> = true;
+
+namespace lober::detail {
+
 struct RegionFaces {
   static constexpr std::uint32_t unbounded = 0;
 
-  Buffer<std::uint32_t> of;     ///< the face to the left of each half-edge that stands for itself
-  Buffer<DD> twice_area;        ///< twice the area of each face, meaningless for the unbounded one
-  Buffer<Windings> windings;    ///< winding numbers of each face
-  Buffer<std::uint32_t> entry;  ///< a half-edge on its boundary; to the right of it lies a face of lower rank
-  Buffer<std::uint32_t> rank;   ///< breadth-first order from the unbounded face
+  Buffer<std::uint32_t> of;  ///< the face to the left of each half-edge that stands for itself
+  Buffer<DD> twice_area;     ///< twice the area of each face, meaningless for the unbounded one
+  Buffer<FaceLabel> labels;  ///< one for each face
 
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(twice_area.size()); }
 };
 
-/// `sums`: of each edge, the shoelace sum about the common origin of all. `curves_meet`: whether C1 and C2 have a point
+/// `curves_meet`: whether C1 and C2 have a point
 /// in common. O(events), and one ray through the curves when they do not meet.
 [[nodiscard]] RegionFaces make_faces(const EdgeChains& edge_chains, const Events& events, const HalfEdges& graph,
-                                     const Buffer<DD>& sums, bool curves_meet, const IndexedCurve& c1,
+                                     const EdgeSums& sums, bool curves_meet, const IndexedCurve& c1,
                                      const IndexedCurve* c2, PredicateCounts& counts);
 
 /// The answer where there is no half-edge.

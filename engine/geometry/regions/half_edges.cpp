@@ -1,8 +1,7 @@
 #include "engine/geometry/regions/half_edges.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
@@ -19,7 +18,7 @@ struct DirectedEdge {
 };
 
 DirectedEdge directed_edge(const EdgeChains& edge_chains, const Events& events, std::uint32_t half) {
-  const Event& event = events.list[origin(events, half)];
+  const Event event = events[origin(events, half)];
   if (half % 2 == 0) {
     const auto [a, b] = edge_chains.segment(event.segment);
     return {a, b, half};
@@ -39,49 +38,55 @@ int compare_angles(const DirectedEdge& x, const DirectedEdge& y, PredicateCounts
   return -cross_sign(x.from, x.to, y.from, y.to, counts);
 }
 
-// Events by node.
-struct EventsByNode {
-  Buffer<std::uint32_t> begin, list;
-  [[nodiscard]] std::span<const std::uint32_t> of(std::size_t node) const {
-    return {list.data() + begin[node], begin[node + 1] - begin[node]};
-  }
+// An edge and the half-edge that stands for its half-edge 2 k; a representative comes first, with what it carries.
+struct MergedEdge {
+  std::uint32_t edge, stands_for;
+  Multiplicity times;
 };
 
-EventsByNode group(const Events& events) {
-  EventsByNode result;
-  result.begin.assign(events.nodes + std::size_t{1}, 0);
-  for (const Event& event : events.list) ++result.begin[event.node + 1];
-  for (std::size_t node = 0; node < events.nodes; ++node) result.begin[node + 1] += result.begin[node];
-  result.list.resize(events.size());
-  Buffer<std::uint32_t> next = result.begin;
-  for (std::uint32_t event = 0; event < events.size(); ++event) result.list[next[events.list[event].node]++] = event;
-  return result;
-}
+// Findings in a block of events besides the order round its nodes.
+struct BlockFindings {
+  std::vector<MergedEdge> merged;
+  std::uint32_t merged_away = 0;  // half-edges
+  PredicateCounts counts;
+};
 
-// Among coincident edges in one direction that of the lowest edge stays. Returns the number of edges merged away.
-std::uint32_t merge_coincident(const Events& events, std::vector<DirectedEdge>& edges, HalfEdges& graph,
-                               PredicateCounts& counts) {
+// Among coincident edges in one direction that of the lowest edge stays.
+void merge_coincident(const Events& events, std::vector<DirectedEdge>& edges, BlockFindings& found) {
   std::size_t kept = 0;
   for (std::size_t k = 0; k < edges.size();) {
     std::size_t end = k + 1;
-    while (end < edges.size() && compare_angles(edges[k], edges[end], counts) == 0) ++end;
+    while (end < edges.size() && compare_angles(edges[k], edges[end], found.counts) == 0) ++end;
     const std::uint32_t first = edges[k].half;  // the lowest, as the sort left them
-    // Both ends of the piece see the same group. The end from which its representative starts writes the result.
+    // Both ends of the piece see the same group. The end from which its representative starts tells of it.
     if (end - k > 1 && first % 2 == 0) {
       Multiplicity sum{0, 0};
+      const std::size_t group = found.merged.size();
       for (std::size_t m = k; m < end; ++m) {
         const std::uint32_t half = edges[m].half;
         (half / 2 < events.begin[1] ? sum.of1 : sum.of2) += half % 2 == 0 ? 1 : -1;
-        graph.stands_for[half / 2] = first ^ (half & 1U);
+        found.merged.push_back({half / 2, first ^ (half & 1U), {}});
       }
-      graph.multiplicity[first / 2] = sum;
+      found.merged[group].times = sum;
     }
     edges[kept++] = edges[k];
     k = end;
   }
-  const auto merged = static_cast<std::uint32_t>(edges.size() - kept);
+  found.merged_away += static_cast<std::uint32_t>(edges.size() - kept);
   edges.resize(kept);
-  return merged;
+}
+
+// The order round a node where two edge chains cross and nothing else is; `other` passes to the left of `one`, or to
+// the right.
+void connect_crossing(const Events& events, std::uint32_t one, std::uint32_t other, bool to_left, HalfEdges& graph) {
+  if (!to_left) std::swap(one, other);
+  // Counter-clockwise: onwards, the other one onwards, back, the other one back.
+  const std::uint32_t on = 2 * one, back = 2 * events.previous(one) + 1;
+  const std::uint32_t other_on = 2 * other, other_back = 2 * events.previous(other) + 1;
+  graph.clockwise[on] = other_back;
+  graph.clockwise[other_on] = on;
+  graph.clockwise[back] = other_on;
+  graph.clockwise[other_back] = back;
 }
 
 }  // namespace
@@ -90,46 +95,64 @@ HalfEdges connect(const EdgeChains& edge_chains, const Events& events) {
   HalfEdges graph;
   const std::uint32_t edges = events.size();
   graph.clockwise.resize(2 * std::size_t{edges});
-  graph.stands_for.resize(edges);
-  graph.multiplicity.resize(edges);
-  for (std::uint32_t edge = 0; edge < edges; ++edge) {
-    graph.stands_for[edge] = 2 * edge;
-    graph.multiplicity[edge] = edge < events.begin[1] ? Multiplicity{1, 0} : Multiplicity{0, 1};
-  }
-  const EventsByNode by_node = group(events);
-  std::array<std::uint32_t, 2> extreme_node{};
-  for (std::size_t curve = 0; curve < 2; ++curve) extreme_node[curve] = events.list[events.extreme[curve]].node;
-
-  std::atomic<std::uint32_t> merged{0};
-  std::vector<PredicateCounts> counts((events.nodes + events_a_block - 1) / events_a_block);
-  for_each_block(events.nodes, events_a_block, [&](std::size_t begin, std::size_t end) {
-    PredicateCounts& here = counts[begin / events_a_block];
-    std::uint32_t merged_here = 0;
+  graph.second = events.begin[1];
+  std::vector<BlockFindings> blocks((edges + events_a_block - 1) / events_a_block);
+  for_each_block(edges, events_a_block, [&](std::size_t begin, std::size_t end) {
+    BlockFindings& found = blocks[begin / events_a_block];
     std::vector<DirectedEdge> leaving;
-    for (std::size_t node = begin; node < end; ++node) {
+    for (auto node = static_cast<std::uint32_t>(begin); node < end; ++node) {
+      if (events.node[node] != node) continue;
+      const std::uint32_t second = events.next_at_node[node];
+      if (second != node && events.next_at_node[second] == node) {
+        const Event event = events[node];
+        if (event.kind == Event::Kind::at_crossing) {
+          connect_crossing(events, node, second, event.rho > 0, graph);
+          continue;
+        }
+      }
       leaving.clear();
-      for (const std::uint32_t event : by_node.of(node)) {
+      std::uint32_t event = node;
+      do {
         leaving.push_back(directed_edge(edge_chains, events, 2 * event));
         leaving.push_back(directed_edge(edge_chains, events, 2 * events.previous(event) + 1));
-      }
+        event = events.next_at_node[event];
+      } while (event != node);
       std::sort(leaving.begin(), leaving.end(), [&](const DirectedEdge& x, const DirectedEdge& y) {
-        const int order = compare_angles(x, y, here);
+        const int order = compare_angles(x, y, found.counts);
         return order != 0 ? order < 0 : x.half < y.half;
       });
-      merged_here += merge_coincident(events, leaving, graph, here);
+      merge_coincident(events, leaving, found);
       for (std::size_t k = 0; k < leaving.size(); ++k) {
         graph.clockwise[leaving[k].half] = leaving[k == 0 ? leaving.size() - 1 : k - 1].half;
       }
       // None of its own edges leaves an extreme vertex in the direction of x, which lies before the first and after the
       // last.
       for (std::size_t curve = 0; curve < 2; ++curve) {
-        if (extreme_node[curve] == node) graph.outer[curve] = leaving.back().half;
+        if (events.node[events.extreme[curve]] == node) graph.outer[curve] = leaving.back().half;
       }
     }
-    merged += merged_here;
   });
-  graph.merged = merged / 2;  // each was seen at both its ends
-  for (const PredicateCounts& block : counts) graph.predicates += block;
+  std::uint32_t merged_away = 0;
+  bool any = false;
+  for (const BlockFindings& block : blocks) {
+    graph.predicates += block.counts;
+    merged_away += block.merged_away;
+    any = any || !block.merged.empty();
+  }
+  graph.merged = merged_away / 2;  // each was seen at both its ends
+  if (!any) return graph;
+  graph.merged_times.resize(edges);
+  graph.stands_for.resize(edges);
+  for (std::uint32_t edge = 0; edge < edges; ++edge) {
+    graph.merged_times[edge] = edge < graph.second ? Multiplicity{1, 0} : Multiplicity{0, 1};
+    graph.stands_for[edge] = 2 * edge;
+  }
+  for (const BlockFindings& block : blocks) {
+    for (const MergedEdge& merged : block.merged) {
+      graph.stands_for[merged.edge] = merged.stands_for;
+      if (merged.stands_for == 2 * merged.edge) graph.merged_times[merged.edge] = merged.times;
+    }
+  }
   return graph;
 }
 

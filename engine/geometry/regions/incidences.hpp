@@ -12,6 +12,9 @@
 // two classes, each edge chain meets one of another class. So incidences of edge chains that keep together are left out
 // of the list (but for those at the extreme vertices, which are nodes always), and what remains still joins all edge
 // chains through each node. Boundaries that share a million vertices have few nodes.
+//
+// Where C1 and C2 share a run of vertices and neither meets itself there, nothing else can be found inside of the run:
+// its vertices are counted as both curves are followed, and the search leaves it out, as in crossings/.
 #pragma once
 
 #include <array>
@@ -27,9 +30,12 @@
 namespace lober::detail {
 
 struct Incidence {
-  DD t1, t2;                    ///< parameters in [0, 1) on the two segments
   std::uint32_t first, second;  ///< segments, as EdgeChains number them
-  bool starts1, starts2;        ///< the point is the first end of the segment; if neither, it is a proper crossing
+  std::int8_t rho;              ///< proper crossing: +1 if `second` passes from right to left of `first`, -1; else 0
+  bool starts1, starts2;        ///< the point is the first end of the segment; for a proper crossing neither is true
+};
+struct IncidenceParameter {
+  DD t;  ///< in [0, 1) on a segment; zero at its first end
 };
 
 struct IncidenceCounts {
@@ -41,8 +47,17 @@ struct IncidenceCounts {
   std::uint64_t along = 0;  ///< vertices without a node where edge chains keep together
 };
 
+}  // namespace lober::detail
+
+template <>
+inline constexpr bool lober::left_unfilled<lober::detail::IncidenceParameter> = true;
+
+namespace lober::detail {
+
 struct Incidences {
-  Buffer<Incidence> list;
+  Buffer<Incidence> list;                                ///< those of C1 and itself, C2 and itself, C1 and C2
+  std::array<Buffer<IncidenceParameter>, 2> parameters;  ///< on the first segment of each, and on the second
+  std::array<std::size_t, 4> begin{};                    ///< where the three parts of the list begin, and its size
   std::vector<std::uint32_t> spikes;  ///< segments whose first end is the end of a spike; one may occur twice
   IncidenceCounts counts;
 };

@@ -17,7 +17,7 @@ class PieceFinder {
   PieceFinder(const Arrangement& scene, FillRule rule, Pairing pairing)
       : scene_(scene), graph_(scene.graph), faces_(scene.faces), piece_of_(faces_.size(), none) {
     for (std::uint32_t face = 0; face < faces_.size(); ++face) {
-      if (belongs(faces_.windings[face], rule, pairing)) piece_of_[face] = face;
+      if (belongs(faces_.labels[face].windings, rule, pairing)) piece_of_[face] = face;
     }
   }
 
@@ -62,7 +62,7 @@ class PieceFinder {
       if (piece == none) continue;
       sums[piece].add(faces_.twice_area[face]);
       std::uint32_t& outermost = outermost_[piece];
-      if (outermost == none || faces_.rank[face] < faces_.rank[outermost]) outermost = face;
+      if (outermost == none || faces_.labels[face].rank < faces_.labels[outermost].rank) outermost = face;
     }
     result_.areas.resize(pieces_);
     for (std::uint32_t piece = 0; piece < pieces_; ++piece) {
@@ -92,7 +92,7 @@ class PieceFinder {
     };
     // The face of a piece that is nearest to the outside is entered from outside the piece: that edge is on the outer
     // boundary.
-    for (std::uint32_t piece = 0; piece < pieces_; ++piece) walk(faces_.entry[outermost_[piece]]);
+    for (std::uint32_t piece = 0; piece < pieces_; ++piece) walk(faces_.labels[outermost_[piece]].entry);
     for (std::uint32_t half = 0; half < graph_.size(); ++half) {
       if (seen[half] == 0 && on_boundary(half)) walk(half);
     }
@@ -158,9 +158,9 @@ std::vector<std::vector<Point>> RegionPieces::outline(std::size_t piece) const {
   const Events& events = scene.events;
   // Appends the first point of a half-edge and the vertices inside it.
   const auto append = [&](std::uint32_t half, std::vector<Point>& points) {
-    points.push_back(scene.node_point(events.list[origin(events, half)].node));
+    points.push_back(scene.node_point(events.node[origin(events, half)]));
     const std::uint32_t from = half / 2, to = events.next(from);
-    const Event &first = events.list[from], &last = events.list[to];
+    const Event first = events[from], last = events[to];
     const int curve = edge_chains.curve_of(first.segment);
     const std::uint32_t offset = edge_chains.first_of(curve);
     const auto size = static_cast<std::uint32_t>(edge_chains.curve(curve).points.size());

@@ -70,15 +70,16 @@ std::uint32_t half_edge_right_of(Point point, const EdgeChains& edge_chains, con
   // The event before the hit on the same segment, if any; else the last one before the segment.
   const std::uint32_t segment = edge_chains.first_of(number) + hit->segment;
   const Segment ends = edge_chains.segment(segment);
-  const auto begin = events.list.begin() + events.begin[static_cast<std::size_t>(number)];
-  const auto last = events.list.begin() + events.begin[static_cast<std::size_t>(number) + 1];
+  const auto begin = events.candidate.begin() + events.begin[static_cast<std::size_t>(number)];
+  const auto last = events.candidate.begin() + events.begin[static_cast<std::size_t>(number) + 1];
   const ImplicitPoint on_segment_point = on_segment_of(*hit, point, end);
-  const auto after = std::partition_point(begin, last, [&](const Event& event) {
+  const auto after = std::partition_point(begin, last, [&](std::uint32_t candidate) {
+    const Event event = events.of_candidate(candidate);
     if (event.segment != segment) return event.segment < segment;
     const int order = compare_along(ends.a, ends.b, implicit_point(edge_chains, event), on_segment_point);
     return order != 0 ? order < 0 : hit->upward;  // the hit is a little above that point
   });
-  const auto next = static_cast<std::uint32_t>(after - events.list.begin());
+  const auto next = static_cast<std::uint32_t>(after - events.candidate.begin());
   const bool none_before = after == begin;
   const std::uint32_t edge = (none_before ? events.begin[static_cast<std::size_t>(number) + 1] : next) - 1;
   return graph.representative(2 * edge + (hit->upward ? 0U : 1U));

@@ -89,21 +89,18 @@ class RegionBuilder {
     report(0.5);
 
     const Stopwatch node_watch;
-    scene.events = make_events(scene.edge_chains, incidences, extreme);
     const IncidenceCounts found = incidences.counts;
-    incidences = {};
-    scene.first_event.resize(scene.events.nodes);
-    for (std::uint32_t event = scene.events.size(); event-- > 0;)
-      scene.first_event[scene.events.list[event].node] = event;
+    scene.events = make_events(scene.edge_chains, std::move(incidences), extreme);
     timing.nodes = node_watch.seconds();
     report(0.7);
 
     const Stopwatch graph_watch;
     scene.graph = connect(scene.edge_chains, scene.events);
+    scene.events.next_at_node = {};
     timing.graph = graph_watch.seconds();
 
     const Stopwatch face_watch;
-    const Buffer<DD> sums = sum_edges(scene);
+    const EdgeSums sums = sum_edges(scene);
     PredicateCounts placing;
     scene.faces = make_faces(scene.edge_chains, scene.events, scene.graph, sums, found.mutual > 0, c1_, c2_, placing);
     scene.area_exponent = -2 * exponent_;
@@ -136,28 +133,28 @@ class RegionBuilder {
   // Shoelace sums of all edges about one origin. Also bounds what areas lose: the gap at each node
   // (crossing_parameters.hpp) times the size of the scene, and the additions of RunningSum, relative to the largest
   // sum.
-  Buffer<DD> sum_edges(Arrangement& scene) {
+  EdgeSums sum_edges(Arrangement& scene) {
     const Events& events = scene.events;
-    Buffer<DD> sums(events.size());
+    EdgeSums sums;
+    sums.second = events.begin[1];
     double largest = 0, additions = 4096;
     for (int curve = 0; curve < scene.edge_chains.curves(); ++curve) {
       const BoxTree& tree = curve == 0 ? c1_.tree() : c2_->tree();
       const std::uint32_t first = events.begin[static_cast<std::size_t>(curve)];
       const std::uint32_t count = events.begin[static_cast<std::size_t>(curve) + 1] - first;
       const std::uint32_t offset = scene.edge_chains.first_of(curve);
-      Buffer<DD> at(count);
+      Buffer<EdgeSums::Sum>& up_to = sums.up_to[static_cast<std::size_t>(curve)];
+      up_to.resize(count + std::size_t{1});
       const SumAlong along = sum_along(
           tree, c1_.view().points[0], count,
           [&](std::size_t k) {
-            const Event& event = events.list[first + k];
+            const Event event = events[first + static_cast<std::uint32_t>(k)];
             return PrecisePosition{event.segment - offset, event.t};
           },
-          [&](std::size_t k, DD sum) { at[k] = sum; });
-      for (std::uint32_t k = 0; k < count; ++k) {
-        sums[first + k] = (k + 1 < count ? at[k + 1] : at[0] + along.total) - at[k];
-      }
+          [&](std::size_t k, DD sum) { up_to[k].value = sum; });
+      up_to[count].value = up_to[0].value + along.total;
       largest = std::max({largest, along.largest, std::fabs(along.total.hi)});
-      for (const DD& sum : at) largest = std::max(largest, std::fabs(sum.hi));
+      for (std::uint32_t k = 0; k < count; ++k) largest = std::max(largest, std::fabs(up_to[k].value.hi));
       additions += static_cast<double>(tree.segments()) / 1024;
       scene.signed_areas[static_cast<std::size_t>(curve)] =
           scaled_area(0.5 * (along.total.hi + along.total.lo), -2 * exponent_);
@@ -170,11 +167,20 @@ class RegionBuilder {
 
   void make_table(Arrangement& scene) {
     std::map<Windings, RunningSum> sums;
+    // Faces have few pairs of winding numbers, mostly: those met last are found without a search.
+    struct Recent {
+      Windings windings;
+      RunningSum* sum;
+    };
+    std::array<Recent, 64> recent{};
     const RegionFaces& faces = scene.faces;
     for (std::uint32_t face = 0; face < faces.size(); ++face) {
-      const Windings windings = faces.windings[face];
+      const Windings windings = faces.labels[face].windings;
       if (windings == Windings{0, 0}) continue;
-      sums[windings].add(faces.twice_area[face]);
+      const auto slot = static_cast<std::uint32_t>(windings.of1) + 8 * static_cast<std::uint32_t>(windings.of2);
+      Recent& found = recent[slot % recent.size()];
+      if (found.sum == nullptr || found.windings != windings) found = {windings, &sums[windings]};
+      found.sum->add(faces.twice_area[face]);
     }
     for (const auto& [windings, sum] : sums) {
       scene.table.push_back({windings.of1, windings.of2, scene.area(sum.value())});

@@ -84,6 +84,37 @@ TEST(SharedRuns, WhatPassesThroughAVertexOfTheRunMakesItANode) {
   EXPECT_EQ(result.areas(FillRule::nonzero).intersection, 9);
 }
 
+TEST(SharedRuns, AreLeftWhereACurveMeetsItself) {
+  // Both share an arc of 1000 steps; the second curve also leaves it for a spike and comes back through it, at vertices
+  // or between them.
+  const Polygon base = arc_and({0, -1}, 1000);
+  for (const std::size_t at : {std::size_t{200}, std::size_t{500}}) {
+    for (const bool through_vertex : {true, false}) {
+      const Point a = base[at], b = base[at + 1];
+      const Point target = through_vertex ? a : Point{(a.x + b.x) / 2, (a.y + b.y) / 2};
+      Polygon other = base;  // from (0, -1) a loop that crosses the arc at `target`, or touches it there
+      other.push_back({2 * target.x, 2 * target.y});
+      other.push_back({2 * target.x + 1, 2 * target.y});
+      other.push_back({3, -1});
+      for (const Polygon& second : {other, test::reversed(other)}) {
+        const Incidences found = between(base, second);
+        const Incidences turned = between(second, base);
+        EXPECT_EQ(found.counts.mutual, turned.counts.mutual);
+        EXPECT_EQ(found.counts.along, turned.counts.along);
+        EXPECT_EQ(found.list.size(), turned.list.size());
+        EXPECT_EQ(found.counts.self2, 1U);
+        EXPECT_LT(found.list.size(), 20U);
+        const Regions forward = regions(CurveView{base}, CurveView{second});
+        const Regions back = regions(CurveView{second}, CurveView{base});
+        EXPECT_EQ(forward.counts().nodes, back.counts().nodes);
+        EXPECT_EQ(forward.counts().edges, back.counts().edges);
+        EXPECT_EQ(forward.counts().faces, back.counts().faces);
+        EXPECT_NEAR(forward.areas(FillRule::nonzero).intersection, back.areas(FillRule::nonzero).intersection, 1e-15);
+      }
+    }
+  }
+}
+
 TEST(SharedRuns, SpikesThatKeepTogetherEndInOneNode) {
   // Both curves run out to (9, 2) and back; the second comes back to a vertex of its own.
   const Polygon first{{0, 0}, {4, 0}, {4, 2}, {6, 2}, {9, 2}, {6, 2}, {4, 2}, {4, 4}, {0, 4}};

@@ -1,8 +1,9 @@
 // Vertices of one curve located with respect to another all at once: the same as one by one, with all threads too.
-#include "engine/geometry/index/vertex_rays.hpp"
+#include "engine/geometry/index/vertex_windings.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -39,29 +40,36 @@ std::vector<std::uint32_t> some_numbers(Random& random, std::size_t size, double
   return numbers;
 }
 
-TEST(VertexRays, AreThoseOfEachVertex) {
+TEST(VertexWindings, AreThoseOfTheRayFromEachVertex) {
   Random random(1);
   std::size_t on = 0, together = 0;
   for (int attempt = 0; attempt < 60; ++attempt) {
     const bool grid = random.chance(0.5);
     const std::vector<Point> first = wandering(random, static_cast<std::size_t>(random.integer(3, 9000)), grid);
     const std::vector<Point> second = wandering(random, static_cast<std::size_t>(random.integer(3, 9000)), grid);
-    const IndexedCurve own{CurveView{first}}, other{CurveView{second}};
-    for (const double chance : {0.001, 0.02, 0.3, 1.0}) {
-      const std::vector<std::uint32_t> vertices = some_numbers(random, first.size(), chance);
-      together += static_cast<std::size_t>(vertices.size() >= own.tree().leaves());
-      for (const int threads : {1, 2}) {
-        Buffer<RayCrossings> found;
-        with_threads(threads, [&] { found = vertex_rays(own.tree(), other.tree(), vertices); });
-        ASSERT_EQ(found.size(), vertices.size());
-        for (std::size_t k = 0; k < vertices.size(); ++k) {
-          const RayCrossings expected = ray_crossings(other.tree(), first[vertices[k]]);
-          ASSERT_EQ(found[k].on, expected.on) << "try " << attempt << ", vertex " << vertices[k];
-          on += static_cast<std::size_t>(expected.on);
-          if (!expected.on) {
-            ASSERT_EQ(found[k].number, expected.number) << "try " << attempt << ", vertex " << vertices[k];
-          }
+    const IndexedCurve c1{CurveView{first}}, c2{CurveView{second}};
+    const auto require_right = [&](const IndexedCurve& own, const IndexedCurve& other,
+                                   const std::vector<std::uint32_t>& vertices, const Buffer<RayCrossings>& found) {
+      ASSERT_EQ(found.size(), vertices.size());
+      for (std::size_t k = 0; k < vertices.size(); ++k) {
+        const RayCrossings expected = ray_crossings(other.tree(), own.view().points[vertices[k]]);
+        ASSERT_EQ(found[k].on, expected.on) << "try " << attempt << ", vertex " << vertices[k];
+        on += static_cast<std::size_t>(expected.on);
+        if (!expected.on) {
+          ASSERT_EQ(found[k].number, expected.number) << "try " << attempt << ", vertex " << vertices[k];
         }
+      }
+    };
+    for (const double chance : {0.001, 0.02, 0.3, 1.0}) {
+      const std::vector<std::uint32_t> vertices1 = some_numbers(random, first.size(), chance);
+      const std::vector<std::uint32_t> vertices2 = some_numbers(random, second.size(), chance);
+      together +=
+          static_cast<std::size_t>(vertices1.size() + vertices2.size() >= c1.tree().leaves() + c2.tree().leaves());
+      for (const int threads : {1, 2}) {
+        std::array<Buffer<RayCrossings>, 2> found;
+        with_threads(threads, [&] { found = vertex_windings(c1, c2, {vertices1, vertices2}); });
+        ASSERT_NO_FATAL_FAILURE(require_right(c1, c2, vertices1, found[0]));
+        ASSERT_NO_FATAL_FAILURE(require_right(c2, c1, vertices2, found[1]));
       }
     }
   }
