@@ -7,6 +7,7 @@
 #include "kernels/chebyshev.inl"
 #include "kernels/crossing_parameters.inl"
 #include "kernels/frame_filter.inl"
+#include "kernels/graded.inl"
 #include "kernels/interpolation.inl"
 #include "kernels/join_strips.inl"
 #include "kernels/kernel_table.hpp"
@@ -17,6 +18,7 @@
 #include "kernels/ray.inl"
 #include "kernels/sagitta.inl"
 #include "kernels/segment_boxes.inl"
+#include "kernels/segment_flags.inl"
 #include "kernels/shoelace.inl"
 #include "kernels/sine.inl"
 #include "kernels/smooth_segment.inl"
@@ -52,6 +54,9 @@ const KernelTable LOBER_KERNELS{
     .keep_near_strip = keep_strips,
     .turns_along = all_turns_along,
     .parts_needed = all_parts_needed,
+    .flag_segments = flag_all_segments,
+    .lengths_in_box = all_lengths_in_box,
+    .place_graded = place_all_graded,
     .fit_regular = fit_all,
 };
 

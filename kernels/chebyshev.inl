@@ -4,21 +4,18 @@
 #include <cstddef>
 
 #include "kernels/chebyshev.hpp"
-#include "kernels/wide.hpp"
+#include "kernels/widest.hpp"
 
 namespace lober::detail {
 namespace {
 
-// Vectors of so many parameters, and so many of them at a time that the chains of additions hide behind each other.
+// Vectors of parameters at a time, so that the chains of additions hide behind each other and registers suffice.
 // Compilers left to themselves compute one of the two coordinates number by number.
 #ifdef __AVX512F__
-using ChebyshevNumbers = Wide<8, InstructionSet::avx512>;
 constexpr std::size_t chebyshev_chains = 4;
 #elif defined(__AVX2__)
-using ChebyshevNumbers = Wide<4, InstructionSet::avx2>;
 constexpr std::size_t chebyshev_chains = 2;
 #else
-using ChebyshevNumbers = Wide<4, InstructionSet::baseline>;
 constexpr std::size_t chebyshev_chains = 1;
 #endif
 
@@ -26,7 +23,7 @@ constexpr std::size_t chebyshev_chains = 1;
 template <std::size_t chains>
 LOBER_INLINE void sum_chebyshev(const Point* coefficients, std::size_t degrees, double centre, double half_width,
                                 const double* parameters, double* sums_x, double* sums_y) {
-  using V = ChebyshevNumbers;
+  using V = WidestNumbers;
   // b_{j+2}, b_{j+1} of both coordinates
   V x[chains], twice[chains], later_x[chains], latest_x[chains], later_y[chains], latest_y[chains];
   for (std::size_t i = 0; i < chains; ++i) {
@@ -54,7 +51,7 @@ LOBER_INLINE void sum_chebyshev(const Point* coefficients, std::size_t degrees, 
 
 inline void evaluate_chebyshev(const Point* coefficients, std::size_t degrees, double centre, double half_width,
                                const double* parameters, std::size_t size, Point* points) {
-  constexpr std::size_t few = ChebyshevNumbers::elements, many = few * chebyshev_chains;
+  constexpr std::size_t few = WidestNumbers::elements, many = few * chebyshev_chains;
   double sums_x[many], sums_y[many];
   for (std::size_t first = 0; first < size;) {
     const std::size_t rest = size - first;

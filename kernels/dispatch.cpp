@@ -114,6 +114,18 @@ void parts_needed(const double* lengths, const double* curvatures, std::size_t c
   kernels().parts_needed(lengths, curvatures, count, asked, parts);
 }
 
+std::int64_t flag_segments(const SegmentRow& row, const SegmentBounds& bounds, std::int64_t* flags) {
+  return kernels().flag_segments(row, bounds, flags);
+}
+
+bool lengths_in_box(const Point* points, std::size_t count, const Box& box, double* lengths) {
+  return kernels().lengths_in_box(points, count, box, lengths);
+}
+
+void place_graded(const GradedRow& row, double* parameters, std::size_t end) {
+  kernels().place_graded(row, parameters, end);
+}
+
 void smooth_chord_areas(const Point* points, std::size_t count, double* areas, double* errors, std::uint8_t* smooth) {
   kernels().fit_regular(points, count, areas, errors, smooth);
   for (std::size_t k = 0; k < count; ++k) {

@@ -9,6 +9,7 @@
 #include "kernels/cpu.hpp"
 #include "kernels/crossing_parameters.hpp"
 #include "kernels/frame_filter.hpp"
+#include "kernels/graded.hpp"
 #include "kernels/interpolation.hpp"
 #include "kernels/leaf.hpp"
 #include "kernels/moments.hpp"
@@ -16,6 +17,7 @@
 #include "kernels/ray.hpp"
 #include "kernels/sagitta.hpp"
 #include "kernels/segment_boxes.hpp"
+#include "kernels/segment_flags.hpp"
 #include "kernels/shoelace.hpp"
 #include "kernels/smooth_segment.hpp"
 #include "kernels/strip.hpp"
@@ -61,6 +63,9 @@ struct KernelTable {
   void (*turns_along)(const Point* points, std::size_t segments, double* lengths, double* curvatures);
   void (*parts_needed)(const double* lengths, const double* curvatures, std::size_t count, PartsAsked asked,
                        double* parts);
+  std::int64_t (*flag_segments)(const SegmentRow& row, const SegmentBounds& bounds, std::int64_t* flags);
+  bool (*lengths_in_box)(const Point* points, std::size_t count, const Box& box, double* lengths);
+  void (*place_graded)(const GradedRow& row, double* places, std::size_t end);
   // The part of smooth_chord_areas where both vertices on either side are of use; `fitted` says where.
   void (*fit_regular)(const Point* points, std::size_t count, double* areas, double* errors, std::uint8_t* fitted);
 };

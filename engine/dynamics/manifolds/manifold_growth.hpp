@@ -63,7 +63,7 @@ class ManifoldGrowth {
   [[nodiscard]] Samples part_of_local(const Samples& samples, int part) const;
   [[nodiscard]] Samples carried(Samples guide, int generation, double end);
   void append(const Trace& trace, int generation);
-  [[nodiscard]] double length_behind(std::size_t k) const;
+  void lengths_behind(std::size_t k, std::size_t count, double* lengths) const;
   void add_length(std::size_t begin);
   [[nodiscard]] bool alive(const Samples& samples) const;
   [[nodiscard]] bool is_short() const;
