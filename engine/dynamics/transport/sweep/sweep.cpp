@@ -84,7 +84,7 @@ SweepValue value_at(const Family& family, double value, const ManifoldTangleOpti
 // The values of a sweep, with pips that are the same orbits all along it.
 //
 // A tangle by itself takes one of its pips as the bip, and a little farther along the sweep it might take another:
-// W(q) - W(q') would jump. So every eighth value is worked out from nothing; from each of these the turnstile is
+// W(q) - W(q') would jump. So every 32nd value is worked out from nothing; from each of these the turnstile is
 // continued value by value to the next one, where it shows which of that one's pips is the same. Then all rows are
 // made, with local manifolds and a bip that are known. The same bits for any number of threads.
 class SweepOfValues {
@@ -104,6 +104,7 @@ class SweepOfValues {
         on_row_(std::move(on_row)),
         known_(values.size()),
         found_(values.size()),
+        chain_(values.size()),
         follows_(values.size()),
         is_own_(values.size()),
         is_made_(values.size()) {}
@@ -114,17 +115,19 @@ class SweepOfValues {
   std::vector<SweepValue> run() {
     const std::size_t groups = (values_.size() + together - 1) / together;
     at_begin_.resize(groups);
+    begin_chain_.resize(groups);
     for_each_block(groups, 1, [&](std::size_t g, std::size_t) {
       const std::size_t k = g * together;
       found_[k] = value_at_(values_[k], nullptr);
       known_[k] = found_[k].known;
+      chain_[k] = k;
       ++done_;
     });
     for_each_block(groups, 1, [&](std::size_t g, std::size_t) { continue_from(g); });
     continue_over_gaps();
     const std::vector<std::size_t> bip = bips();
     for_each_block(values_.size(), 1, [&](std::size_t k, std::size_t) {
-      make_row(k, bip[k / together]);
+      make_row(k, bip[k]);
       ++done_;
       hand_over(k);
     });
@@ -134,7 +137,7 @@ class SweepOfValues {
   }
 
  private:
-  static constexpr std::size_t together = 8;
+  static constexpr std::size_t together = 32;
 
   // Turnstiles of the values up to the beginning of the next group, and there. Where one cannot be continued it is
   // worked out from nothing.
@@ -144,6 +147,7 @@ class SweepOfValues {
     for (std::size_t k = group * together; k < end; ++k) {
       if (k > group * together) {
         if (last) known_[k] = continued(k, *last);
+        chain_[k] = known_[k] ? chain_[*last] : k;
         follows_[k] = known_[k] && known_[k - 1];
         if (!known_[k]) {
           found_[k] = value_at_(values_[k], nullptr);
@@ -153,7 +157,9 @@ class SweepOfValues {
       if (known_[k]) last = k;
       ++done_;
     }
-    if (end < values_.size() && last) at_begin_[group + 1] = continued(end, *last);
+    if (end == values_.size() || !last) return;
+    at_begin_[group + 1] = continued(end, *last);
+    begin_chain_[group + 1] = chain_[*last];
   }
 
   // Where a system's own guess finds no saddle any more, one that was followed there may be; from either side.
@@ -162,36 +168,67 @@ class SweepOfValues {
       if (known_[k] || !known_[from]) return;
       known_[k] = continued(k, from);
       if (!known_[k]) return;
+      chain_[k] = chain_[from];
       follows_[std::max(k, from)] = 1;
-      if (k % together == 0 && from < k) at_begin_[k / together] = known_[k];
     };
     for (std::size_t k = 1; k < values_.size(); ++k) fill(k, k - 1);
     for (std::size_t k = values_.size(); k-- > 1;) fill(k - 1, k);
   }
 
-  // The bip of each group, as the number of a pip in its turnstiles; 0: the one they have. It is that of the group
-  // whose first tangle took the fewest points, or of the first one, if it was asked for.
+  // The bip of each value, as the number of a pip in its turnstile; 0: the one it has. Along values that are linked it
+  // is one orbit: that of the first of them, if it was asked for, or else the one that takes clearly less growing.
   [[nodiscard]] std::vector<std::size_t> bips() {
-    std::vector<std::size_t> same(at_begin_.size());  // as the bip of the first group
-    std::size_t fewest = std::numeric_limits<std::size_t>::max(), chosen = 0;
-    for (std::size_t g = 0; g < same.size(); ++g) {
-      const auto& here = known_[g * together];
-      if (!here) continue;
-      const std::size_t period = here->orbits.size() - 1;
-      const auto& there = at_begin_[g];
-      const bool is_linked =
-          g > 0 && there && same[g - 1] > 0 && same[g - 1] < there->orbits.size() && !there->is_lost(same[g - 1]);
-      const auto number = is_linked ? here->same_pip(*there, same[g - 1]) : std::nullopt;
-      same[g] = number.value_or(period);
-      follows_[g * together] = number.has_value();
-      if (bip_is_given_ || here->points == 0 || here->points >= fewest) continue;
-      fewest = here->points;
-      chosen = (period - same[g]) % period;
+    const std::size_t size = values_.size();
+    // For the first value of each chain: the number of the bip of the chains that it is linked to, and their own
+    // number.
+    std::vector<std::size_t> same(size, 0), linked(size, 0);
+    std::size_t candidates = 1, links = 0;
+    for (std::size_t k = 0; k < size; ++k) {
+      if (!known_[k] || chain_[k] != k) continue;
+      const std::size_t period = known_[k]->orbits.size() - 1;
+      std::optional<std::size_t> number;
+      const std::size_t before = begin_chain_[k / together];
+      if (const auto& there = at_begin_[k / together]; k % together == 0 && there) {
+        const std::size_t bip = same[before];
+        if (bip > 0 && bip < there->orbits.size() && !there->is_lost(bip)) number = known_[k]->same_pip(*there, bip);
+        follows_[k] = number.has_value();
+      }
+      same[k] = number.value_or(period);
+      linked[k] = number ? linked[before] : links++;
+      candidates = std::max(candidates, period);
     }
-    for (std::size_t g = 0; g < same.size(); ++g) {
-      if (known_[g * together]) same[g] = (same[g] + chosen) % (known_[g * together]->orbits.size() - 1);
+    const auto number_of = [&](std::size_t k, std::size_t pips) {
+      return (same[chain_[k]] + pips) % (known_[chain_[k]]->orbits.size() - 1);
+    };
+    constexpr double clearly = 0.8;
+    std::vector<std::size_t> chosen(links, 0);
+    std::vector<double> least(links, std::numeric_limits<double>::infinity());
+    for (std::size_t pips = 0; pips < (bip_is_given_ ? 1 : candidates); ++pips) {
+      std::vector<double> costs(links, 0);
+      for (std::size_t k = 0; k < size; ++k) {
+        if (!known_[k]) continue;
+        const std::size_t bip = number_of(k, pips);
+        const bool is_made = bip == 0 && found_[k].known;
+        if (!is_made) costs[linked[chain_[k]]] += known_[k]->cost(pip_for(*known_[k], bip));
+      }
+      for (std::size_t link = 0; link < links; ++link) {
+        if (!(costs[link] < least[link])) continue;
+        least[link] = (pips == 0 ? clearly : 1) * costs[link];
+        chosen[link] = pips;
+      }
     }
-    return same;
+    std::vector<std::size_t> bips(size, 0);
+    for (std::size_t k = 0; k < size; ++k) {
+      if (known_[k]) bips[k] = number_of(k, chosen[linked[chain_[k]]]);
+    }
+    return bips;
+  }
+
+  // The number of the pip that a turnstile has as the bip where its row is to have `bip`: the last one, where that is
+  // lost.
+  [[nodiscard]] static std::size_t pip_for(const KnownTurnstile& known, std::size_t bip) {
+    const std::size_t last = known.orbits.size() - 1;
+    return bip == 0 || bip >= last || known.is_lost(bip) ? last : bip;
   }
 
   // The turnstile of value k from that of another one, in smaller steps where one is too large.
@@ -202,7 +239,7 @@ class SweepOfValues {
 
   [[nodiscard]] std::optional<KnownTurnstile> followed(double from, const KnownTurnstile& known, double to,
                                                        int halvings) const {
-    std::optional<KnownTurnstile> there = continued_to(family_, to, known);
+    std::optional<KnownTurnstile> there = continued_to(family_, to, known, to - from);
     if (there || halvings == 0) return there;
     const double middle = 0.5 * (from + to);
     const std::optional<KnownTurnstile> halfway = followed(from, known, middle, halvings - 1);
@@ -215,9 +252,8 @@ class SweepOfValues {
     const bool has_failed = !value.row.failure.empty();
     if (known_[k]) {
       const std::size_t last = known_[k]->orbits.size() - 1;
-      const bool is_last = bip == 0 || bip >= last;
-      const bool is_there = is_last || !known_[k]->is_lost(bip);
-      const KnownBip known = known_[k]->bip(is_last || !is_there ? last : bip);
+      const bool is_there = bip == 0 || bip >= last || !known_[k]->is_lost(bip);
+      const KnownBip known = known_[k]->bip(pip_for(*known_[k], bip));
       SweepValue made = value_at_(values_[k], &known);
       is_own_[k] = !made.known || !is_there;
       if (made.known) value = std::move(made);
@@ -243,7 +279,9 @@ class SweepOfValues {
   OnRow on_row_;
   std::vector<std::optional<KnownTurnstile>> known_;     // as continued
   std::vector<std::optional<KnownTurnstile>> at_begin_;  // that of the group before continued to the first of a group
+  std::vector<std::size_t> begin_chain_;                 // the chain that this belongs to
   std::vector<SweepValue> found_;
+  std::vector<std::size_t> chain_;  // the number of the value from which each one's turnstile was continued first
   // For each value, whether what is known of it has the pips of the value before; whether its row has pips of its own.
   std::vector<char> follows_, is_own_;
   std::mutex handing_over_;
@@ -303,7 +341,11 @@ Sweep swept(const Family& family, std::span<const double> values, const SweepOpt
   }
   if (!result.rows.empty() && is_zero(result.rows.back())) result.zeros.push_back(exact_zero(result.rows.back()));
   if (!options.find_zeros) return result;
-  const auto scratch = [&](double value) { return value_at(family, value, inner.tangle, false); };
+  const auto scratch = [&](double value, Point bip_near) {
+    ManifoldTangleOptions tangle = inner.tangle;
+    if (!tangle.bip_near) tangle.bip_near = bip_near;
+    return value_at(family, value, tangle, false);
+  };
   for_each_block(result.zeros.size(), 1, [&](std::size_t k, std::size_t) {
     SweepZero& zero = result.zeros[k];
     if (zero.low == zero.high) return;

@@ -160,19 +160,19 @@ TEST(Sweep, FollowsTheSaddle) {
   }
 }
 
-// Values are worked out from nothing at 0, 8, ...: there too a turnstile that is not that of the value before is not
-// said to be, wherever the jump is.
+// Values are worked out from nothing at 0, 32, ... and where none can be continued: there too a turnstile that is not
+// that of the value before is not said to be, wherever the jump is.
 TEST(Sweep, DoesNotFollowAcrossAJump) {
-  for (const int jump : {3, 8, 9}) {
+  for (const int jump : {3, 8, 9, 32}) {
     const Family family = [&](double value) -> FamilyMember {
       const System system = make_system(value < jump - 0.5 ? "duffing" : "henon");
       return {system.map, *system.connection, system.lattice};
     };
     std::vector<double> values;
-    for (int k = 0; k < 11; ++k) values.push_back(k);
+    for (int k = 0; k < (jump < 11 ? 11 : 34); ++k) values.push_back(k);
     const Sweep found = sweep(family, values);
     ASSERT_EQ(found.failures(), 0U);
-    for (int k = 0; k < 11; ++k) {
+    for (int k = 0; k < static_cast<int>(values.size()); ++k) {
       EXPECT_EQ(found.rows[static_cast<std::size_t>(k)].follows, k != 0 && k != jump) << k << " of " << jump;
     }
   }
