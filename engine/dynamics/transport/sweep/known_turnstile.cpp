@@ -127,26 +127,22 @@ std::optional<std::size_t> KnownTurnstile::same_pip(const KnownTurnstile& other,
 
 // U is grown to the pip and S to its pre-image. Their lengths go with the multipliers, and a point takes an image for
 // each generation.
-KnownTurnstile::Cheapest KnownTurnstile::cheapest(std::size_t number) const {
+KnownBip KnownTurnstile::bip(std::size_t number) const {
   const ConnectingOrbit& orbit = orbits[number];
   const double on_u = time_of(u, orbit.u), on_s = time_of(s, orbit.s);
   const auto cost_of = [](const LocalManifold& local, double time) {
     const double to_end = std::max(time, 0.0);
     return local.reach * elementary::power(local.image().factor, to_end) * (1 + to_end);
   };
-  Cheapest best{0, std::numeric_limits<double>::infinity()};
+  double least = std::numeric_limits<double>::infinity();
+  int best = 0;
   for (const int images : {0, 1, -1, 2, -2}) {
     const double cost = cost_of(u, on_u + images) + cost_of(s, on_s + 1 - images);
-    if (cost < best.cost) best = {images, cost};
+    if (cost >= least) continue;
+    least = cost;
+    best = images;
   }
-  return best;
-}
-
-KnownBip KnownTurnstile::bip(std::size_t number) const {
-  const ConnectingOrbit& orbit = orbits[number];
-  const int images = cheapest(number).images;
-  return {u, s, position_at(u, time_of(u, orbit.u) + images, orbit.u.parameter),
-          position_at(s, time_of(s, orbit.s) - images, orbit.s.parameter)};
+  return {u, s, position_at(u, on_u + best, orbit.u.parameter), position_at(s, on_s - best, orbit.s.parameter)};
 }
 
 KnownTurnstile known_turnstile(const ManifoldTangle& found) {

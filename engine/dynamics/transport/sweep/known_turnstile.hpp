@@ -35,18 +35,9 @@ struct KnownTurnstile {
   [[nodiscard]] double error() const;
   /// The image of pip `number` whose tangle takes the least growing.
   [[nodiscard]] KnownBip bip(std::size_t number) const;
-  /// What that takes: proportional to the evaluations of the map for both manifolds, about.
-  [[nodiscard]] double cost(std::size_t number) const { return cheapest(number).cost; }
   /// The number of the pip, 1 for the one after f^-1(q) to the last for q, whose orbit, or an image of it, is pip
   /// `number` of another turnstile of the same map; nothing if none is.
   [[nodiscard]] std::optional<std::size_t> same_pip(const KnownTurnstile& other, std::size_t number) const;
-
- private:
-  struct Cheapest {
-    int images;
-    double cost;
-  };
-  [[nodiscard]] Cheapest cheapest(std::size_t number) const;
 };
 
 [[nodiscard]] KnownTurnstile known_turnstile(const ManifoldTangle& found);

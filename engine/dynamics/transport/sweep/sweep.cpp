@@ -94,11 +94,10 @@ class SweepOfValues {
   using OnRow = std::function<void(const SweepRow&)>;
 
   /// Counts in `done` the pieces of work that are, `pieces()` in all.
-  SweepOfValues(const Family& family, std::span<const double> values, bool bip_is_given, std::atomic<std::size_t>& done,
-                ValueAt value_at, OnRow on_row)
+  SweepOfValues(const Family& family, std::span<const double> values, std::atomic<std::size_t>& done, ValueAt value_at,
+                OnRow on_row)
       : family_(family),
         values_(values),
-        bip_is_given_(bip_is_given),
         done_(done),
         value_at_(std::move(value_at)),
         on_row_(std::move(on_row)),
@@ -175,51 +174,26 @@ class SweepOfValues {
     for (std::size_t k = values_.size(); k-- > 1;) fill(k - 1, k);
   }
 
-  // The bip of each value, as the number of a pip in its turnstile; 0: the one it has. Along values that are linked it
-  // is one orbit: that of the first of them, if it was asked for, or else the one that takes clearly less growing.
+  // The bip of each value, as the number of a pip in its turnstile; 0: the one it has. Along chains that are linked it
+  // is the orbit that the first tangle took: fluxes of overlapping lobes depend on it, and single values take that one
+  // too.
   [[nodiscard]] std::vector<std::size_t> bips() {
-    const std::size_t size = values_.size();
-    // For the first value of each chain: the number of the bip of the chains that it is linked to, and their own
-    // number.
-    std::vector<std::size_t> same(size, 0), linked(size, 0);
-    std::size_t candidates = 1, links = 0;
-    for (std::size_t k = 0; k < size; ++k) {
+    std::vector<std::size_t> bips(values_.size(), 0);
+    for (std::size_t k = 0; k < values_.size(); ++k) {
       if (!known_[k] || chain_[k] != k) continue;
       const std::size_t period = known_[k]->orbits.size() - 1;
       std::optional<std::size_t> number;
-      const std::size_t before = begin_chain_[k / together];
       if (const auto& there = at_begin_[k / together]; k % together == 0 && there) {
-        const std::size_t bip = same[before];
-        if (bip > 0 && bip < there->orbits.size() && !there->is_lost(bip)) number = known_[k]->same_pip(*there, bip);
+        // As the last number of a period, which has no pre-image among the orbits.
+        const std::size_t before = bips[begin_chain_[k / together]], last = there->orbits.size() - 1;
+        const std::size_t bip = before == 0 ? last : before;
+        if (bip <= last && !there->is_lost(bip)) number = known_[k]->same_pip(*there, bip);
         follows_[k] = number.has_value();
       }
-      same[k] = number.value_or(period);
-      linked[k] = number ? linked[before] : links++;
-      candidates = std::max(candidates, period);
+      bips[k] = number.value_or(period) % period;
     }
-    const auto number_of = [&](std::size_t k, std::size_t pips) {
-      return (same[chain_[k]] + pips) % (known_[chain_[k]]->orbits.size() - 1);
-    };
-    constexpr double clearly = 0.8;
-    std::vector<std::size_t> chosen(links, 0);
-    std::vector<double> least(links, std::numeric_limits<double>::infinity());
-    for (std::size_t pips = 0; pips < (bip_is_given_ ? 1 : candidates); ++pips) {
-      std::vector<double> costs(links, 0);
-      for (std::size_t k = 0; k < size; ++k) {
-        if (!known_[k]) continue;
-        const std::size_t bip = number_of(k, pips);
-        const bool is_made = bip == 0 && found_[k].known;
-        if (!is_made) costs[linked[chain_[k]]] += known_[k]->cost(pip_for(*known_[k], bip));
-      }
-      for (std::size_t link = 0; link < links; ++link) {
-        if (!(costs[link] < least[link])) continue;
-        least[link] = (pips == 0 ? clearly : 1) * costs[link];
-        chosen[link] = pips;
-      }
-    }
-    std::vector<std::size_t> bips(size, 0);
-    for (std::size_t k = 0; k < size; ++k) {
-      if (known_[k]) bips[k] = number_of(k, chosen[linked[chain_[k]]]);
+    for (std::size_t k = 0; k < values_.size(); ++k) {
+      if (known_[k]) bips[k] = bips[chain_[k]];
     }
     return bips;
   }
@@ -273,7 +247,6 @@ class SweepOfValues {
 
   const Family& family_;
   std::span<const double> values_;
-  bool bip_is_given_;
   std::atomic<std::size_t>& done_;
   ValueAt value_at_;
   OnRow on_row_;
@@ -322,8 +295,7 @@ Sweep swept(const Family& family, std::span<const double> values, const SweepOpt
   const auto value_with = [&](double value, const KnownBip* bip) {
     return value_at(family, value, inner.tangle, true, bip);
   };
-  const std::vector<SweepValue> found =
-      SweepOfValues(family, values, options.tangle.bip_near.has_value(), done, value_with, options.on_row).run();
+  const std::vector<SweepValue> found = SweepOfValues(family, values, done, value_with, options.on_row).run();
   for (const SweepValue& value : found) result.rows.push_back(value.row);
   for (std::size_t k = 0; k + 1 < result.rows.size(); ++k) {
     const SweepRow &first = result.rows[k], &last = result.rows[k + 1];
@@ -341,11 +313,7 @@ Sweep swept(const Family& family, std::span<const double> values, const SweepOpt
   }
   if (!result.rows.empty() && is_zero(result.rows.back())) result.zeros.push_back(exact_zero(result.rows.back()));
   if (!options.find_zeros) return result;
-  const auto scratch = [&](double value, Point bip_near) {
-    ManifoldTangleOptions tangle = inner.tangle;
-    if (!tangle.bip_near) tangle.bip_near = bip_near;
-    return value_at(family, value, tangle, false);
-  };
+  const auto scratch = [&](double value) { return value_at(family, value, inner.tangle, false); };
   for_each_block(result.zeros.size(), 1, [&](std::size_t k, std::size_t) {
     SweepZero& zero = result.zeros[k];
     if (zero.low == zero.high) return;

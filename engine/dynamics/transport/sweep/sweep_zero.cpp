@@ -16,8 +16,8 @@ struct NoDifference {};
 class Refinement {
  public:
   Refinement(const Family& family, const SweepValue& first, const SweepValue& last, double tolerance,
-             const std::function<SweepValue(double, Point)>& row_at)
-      : family_(family), row_at_(row_at), first_(first.row), last_(last.row), tolerance_(tolerance) {
+             const std::function<SweepValue(double)>& row_at)
+      : family_(family), row_at_(row_at), tolerance_(tolerance) {
     zero_.low = first.row.value;
     zero_.high = last.row.value;
     low_ = from_ = {first.row.value, first.row.difference};
@@ -73,9 +73,7 @@ class Refinement {
   }
 
   double from_scratch(double value) {
-    // The tangle by itself may take another pip, whose difference has the other sign.
-    const bool is_first = std::fabs(value - first_.value) <= std::fabs(value - last_.value);
-    SweepValue found = row_at_(value, is_first ? first_.bip : last_.bip);
+    SweepValue found = row_at_(value);
     ++zero_.evaluations;
     if (!found.row.failure.empty() || std::isnan(found.row.difference)) {
       zero_.failure = found.row.failure;
@@ -118,8 +116,7 @@ class Refinement {
   }
 
   const Family& family_;
-  const std::function<SweepValue(double, Point)>& row_at_;
-  const SweepRow &first_, &last_;
+  const std::function<SweepValue(double)>& row_at_;
   double tolerance_;
   SweepZero zero_;
   End from_{}, to_{}, low_{}, high_{};
@@ -130,7 +127,7 @@ class Refinement {
 }  // namespace
 
 SweepZero refined_zero(const Family& family, const SweepValue& first, const SweepValue& last, double zero_tolerance,
-                       const std::function<SweepValue(double, Point)>& row_at) {
+                       const std::function<SweepValue(double)>& row_at) {
   return Refinement(family, first, last, zero_tolerance, row_at).run();
 }
 

@@ -8,9 +8,9 @@
 namespace lober::detail {
 
 /// The zero of the difference between two rows with differences of opposite signs. Values in between are continued from
-/// the turnstiles of their neighbours; at the zero itself `row_at` grows a tangle from nothing, whose bip is near
-/// the point that it is given, and where that says otherwise all values in between are found by it.
+/// the turnstiles of their neighbours; at the zero itself `row_at` grows a tangle from nothing, and where that says
+/// otherwise all values in between are found by it.
 [[nodiscard]] SweepZero refined_zero(const Family& family, const SweepValue& first, const SweepValue& last,
-                                     double zero_tolerance, const std::function<SweepValue(double, Point)>& row_at);
+                                     double zero_tolerance, const std::function<SweepValue(double)>& row_at);
 
 }  // namespace lober::detail
