@@ -75,7 +75,7 @@ class TangleGrowth {
   // Pips are followed farther than to where they are by this, in images.
   static constexpr double beyond = 0.02;
   // Manifolds that end at a known bip are longer than it takes by this factor, and by twice `beyond` at least.
-  static constexpr double spare = 1.25;
+  static constexpr double spare = 1.1;
   // Polygons are finer than the splitting by this factor.
   static constexpr double finer_than_splitting = 30;
 
