@@ -1,9 +1,13 @@
 // Growth of manifolds against a bare loop over the same points: P(s), then k steps of the map for each vertex of
-// generation k, in the same run. Counters: points and images (steps of the map) a second, images taken for each image
-// that a vertex needs, time over that of the bare loop.
+// generation k, in the same run; and images of a circle against the loop over the points of all of them. Counters:
+// points and images (steps of the map) a second, images taken for each image that a vertex needs, time over that of the
+// bare loop.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
@@ -73,6 +77,57 @@ void growth(benchmark::State& state, const Scene& scene) {
   state.counters["over_bare_loop"] = time / median(loops);
 }
 
+// All images of a circle from 1 to `iterates`.
+void images(benchmark::State& state, const Scene& scene) {
+  const auto threads = static_cast<int>(state.range(0));
+  const System system = make_system(scene.system, scene.parameters);
+  const CurveFunction circle = [&](std::span<const double> parameters, std::span<Point> points) {
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+      points[k] = {scene.saddle.x + std::cos(parameters[k]), scene.saddle.y + std::sin(parameters[k])};
+    }
+  };
+  const std::array<double, 2> corners{0, 2 * std::numbers::pi};
+  ImageOptions options;
+  options.tolerance = scene.tolerance;
+  std::vector<double> times, loops;
+  double size = 0, taken = 0, steps = 0;
+  for (auto _ : state) {
+    const Stopwatch watch;
+    const auto found =
+        with_threads(threads, [&] { return images_of(*system.map, 1, scene.iterates, circle, corners, options); });
+    times.push_back(watch.seconds());
+    state.SetIterationTime(times.back());
+    size = steps = 0;
+    taken = static_cast<double>(found.back().images);
+    double loop = 0;
+    for (const CurveImage& image : found) {
+      Buffer<Point> points(image.points.size());
+      const Stopwatch bare;
+      with_threads(threads, [&] {
+        for_each_block(points.size(), 512, [&](std::size_t first, std::size_t last) {
+          const auto some = std::span(points).subspan(first, last - first);
+          circle(std::span(image.parameters).subspan(first, last - first), some);
+          system.map->iterate(some, image.iterate);
+        });
+      });
+      loop += bare.seconds();
+      benchmark::DoNotOptimize(points.data());
+      size += static_cast<double>(points.size());
+      steps += static_cast<double>(points.size()) * image.iterate;
+    }
+    loops.push_back(loop);
+  }
+  const double time = median(times);
+  state.counters["points"] = size;
+  state.counters["points_per_s"] = size / time;
+  state.counters["images_per_s"] = taken / time;
+  state.counters["images_per_need"] = taken / steps;
+  state.counters["over_bare_loop"] = time / median(loops);
+}
+
+#define LOBER_IMAGES(name, ...) \
+  BENCHMARK_CAPTURE(images, name, Scene{__VA_ARGS__})->Arg(1)->Arg(2)->UseManualTime()->Unit(benchmark::kMillisecond)
+
 #define LOBER_GROWTH(name, ...) \
   BENCHMARK_CAPTURE(growth, name, Scene{__VA_ARGS__})->Arg(1)->Arg(2)->UseManualTime()->Unit(benchmark::kMillisecond)
 
@@ -80,6 +135,10 @@ LOBER_GROWTH(standard_map, "standard", {{"K", 1.2}}, {0, 0}, Branch::plus, 8, 1e
 LOBER_GROWTH(henon_map, "henon", {{"k", 0}}, {2, 2}, Branch::minus, 4, 1e-9);
 LOBER_GROWTH(vortex_pair, "ovp", {{"gamma", 0.5}}, {1.45, 0}, Branch::minus, 4, 1e-6);
 LOBER_GROWTH(vortex_pair_slow, "ovp", {{"gamma", 1.81}}, {1.567, 0}, Branch::minus, 2, 1e-4);
+
+LOBER_IMAGES(standard_map, "standard", {{"K", 1.2}}, {3.14, 0}, Branch::plus, 14, 1e-9);
+LOBER_IMAGES(henon_map, "henon", {{"k", 0}}, {0, 0}, Branch::plus, 5, 1e-9);
+LOBER_IMAGES(vortex_pair, "ovp", {{"gamma", 0.5}}, {0, 2.5}, Branch::plus, 3, 1e-6);
 
 }  // namespace
 }  // namespace lober::detail

@@ -7,6 +7,7 @@
 #include "kernels/chebyshev.inl"
 #include "kernels/crossing_parameters.inl"
 #include "kernels/frame_filter.inl"
+#include "kernels/graded.inl"
 #include "kernels/interpolation.inl"
 #include "kernels/join_strips.inl"
 #include "kernels/kernel_table.hpp"
@@ -17,6 +18,7 @@
 #include "kernels/ray.inl"
 #include "kernels/sagitta.inl"
 #include "kernels/segment_boxes.inl"
+#include "kernels/segment_flags.inl"
 #include "kernels/shoelace.inl"
 #include "kernels/sine.inl"
 #include "kernels/smooth_approach.inl"
@@ -56,6 +58,9 @@ const KernelTable LOBER_KERNELS{
     .approach_crossings = approach_all,
     .end_arcs = end_all_arcs,
     .smooth_chord_areas = fit_all,
+    .flag_segments = flag_all_segments,
+    .lengths_in_box = all_lengths_in_box,
+    .place_graded = place_all_graded,
 };
 
 }  // namespace lober::detail

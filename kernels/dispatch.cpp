@@ -128,4 +128,16 @@ StraightSegments smooth_chord_areas(const Point* points, std::size_t count, doub
   return kernels().smooth_chord_areas(points, count, areas, errors, smooth);
 }
 
+std::int64_t flag_segments(const SegmentRow& row, const SegmentBounds& bounds, std::int64_t* flags) {
+  return kernels().flag_segments(row, bounds, flags);
+}
+
+bool lengths_in_box(const Point* points, std::size_t count, const Box& box, double* lengths) {
+  return kernels().lengths_in_box(points, count, box, lengths);
+}
+
+void place_graded(const GradedRow& row, double* parameters, std::size_t end) {
+  kernels().place_graded(row, parameters, end);
+}
+
 }  // namespace lober::detail

@@ -9,6 +9,7 @@
 #include "kernels/cpu.hpp"
 #include "kernels/crossing_parameters.hpp"
 #include "kernels/frame_filter.hpp"
+#include "kernels/graded.hpp"
 #include "kernels/interpolation.hpp"
 #include "kernels/leaf.hpp"
 #include "kernels/moments.hpp"
@@ -16,6 +17,7 @@
 #include "kernels/ray.hpp"
 #include "kernels/sagitta.hpp"
 #include "kernels/segment_boxes.hpp"
+#include "kernels/segment_flags.hpp"
 #include "kernels/shoelace.hpp"
 #include "kernels/smooth_approach.hpp"
 #include "kernels/smooth_segment.hpp"
@@ -67,6 +69,9 @@ struct KernelTable {
                    const SmoothSegment* shapes2, EndOfArcs* ends);
   StraightSegments (*smooth_chord_areas)(const Point* points, std::size_t count, double* areas, double* errors,
                                          std::uint8_t* smooth);
+  std::int64_t (*flag_segments)(const SegmentRow& row, const SegmentBounds& bounds, std::int64_t* flags);
+  bool (*lengths_in_box)(const Point* points, std::size_t count, const Box& box, double* lengths);
+  void (*place_graded)(const GradedRow& row, double* places, std::size_t end);
 };
 
 extern const KernelTable baseline_kernels, avx2_kernels, avx512_kernels;

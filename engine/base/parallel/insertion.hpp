@@ -19,10 +19,13 @@ Buffer<T> with_inserted(std::span<const T> given, const Buffer<Insertion>& inser
         std::lower_bound(inserted.begin(), inserted.end(), first,
                          [](const Insertion& insertion, std::size_t vertex) { return insertion.segment < vertex; }) -
         inserted.begin());
-    for (std::size_t k = first; k < last; ++k) {
-      result[k + next] = given[k];
-      for (; next < inserted.size() && inserted[next].segment == k; ++next)
-        result[k + next + 1] = value(inserted[next]);
+    for (std::size_t k = first; k < last;) {
+      const std::size_t end =
+          next < inserted.size() ? std::min<std::size_t>(inserted[next].segment + std::size_t{1}, last) : last;
+      std::copy(given.data() + k, given.data() + end, result.data() + k + next);
+      k = end;
+      for (; next < inserted.size() && inserted[next].segment + std::size_t{1} == k; ++next)
+        result[k + next] = value(inserted[next]);
     }
   });
   return result;

@@ -5,9 +5,11 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/text.hpp"
@@ -15,6 +17,7 @@
 #include "engine/dynamics/maps/linear_algebra.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "kernels/chebyshev.hpp"
+#include "kernels/elementary.hpp"
 #include "lober/base/error.hpp"
 
 namespace lober {
@@ -109,6 +112,28 @@ class Solver {
     return result;
   }
 
+  // The same from close by. Derivatives take three times as long as images do: those of a guess whose residual is below
+  // `close`, as a fraction of the reach, gain some digits in each further round too.
+  [[nodiscard]] std::optional<Candidate> solved_nearby(Candidate from) const {
+    constexpr double close = 1e-3;
+    std::optional<Candidate> best;
+    std::optional<LeastSquares> linearised;
+    double least = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < 20; ++round) {
+      const bool anew = !linearised || least > close * from.reach;
+      Matrix jacobian(anew ? 4 * size_ + 1 : 1, 2 * size_ + 1);
+      const std::vector<double> residual = residual_of(from, anew ? &jacobian : nullptr);
+      const double size = length_of(residual);
+      if (!(size < least)) break;
+      best = from;
+      if (!(size < 0.5 * std::exchange(least, size))) break;
+      if (anew) linearised.emplace(jacobian);
+      correct(from, linearised->solve(residual));
+    }
+    if (best) measure_between_nodes(*best);
+    return best;
+  }
+
   // Gauss-Newton as long as it gains; nothing when the map fails on the way.
   [[nodiscard]] std::optional<Candidate> solved(Candidate from) const {
     std::optional<Candidate> best;
@@ -131,14 +156,44 @@ class Solver {
  private:
   // The residual of `from`, kept in `best` if that is the least so far; then `from` is replaced by the next guess.
   double step(Candidate& from, std::optional<Candidate>& best, double least) const {
+    Matrix jacobian(4 * size_ + 1, 2 * size_ + 1);
+    const std::vector<double> residual = residual_of(from, &jacobian);
+    const double size = length_of(residual);
+    if (!std::isfinite(size)) return size;
+    if (size < least) best = from;
+    correct(from, least_squares(jacobian, residual));
+    return size;
+  }
+
+  static double length_of(const std::vector<double>& residual) {
+    return std::sqrt(std::inner_product(residual.begin(), residual.end(), residual.begin(), 0.0));
+  }
+
+  void correct(Candidate& from, const std::vector<double>& change) const {
+    for (std::size_t k = 0; k < size_; ++k) {
+      const std::size_t column = 2 * k;
+      from.coefficients[k].x -= change[column];
+      from.coefficients[k].y -= change[column + 1];
+    }
+    from.multiplier -= change[2 * size_];
+  }
+
+  // F(P(s)) - P(lambda s) at the nodes, and how far P'(0) is from 1 along the tangent; with derivatives by the
+  // coefficients and lambda, if they are wanted.
+  std::vector<double> residual_of(const Candidate& from, Matrix* jacobian) const {
     const std::size_t nodes = 2 * size_;
     std::vector<double> parameters(nodes);
     for (std::size_t j = 0; j < nodes; ++j) {
       parameters[j] = from.reach * chebyshev_node(j, nodes) / std::fabs(saddle_.multiplier);
     }
-    const ImagesOfPoints images = images_with_derivative(map_, steps_, from.at(parameters));
+    ImagesOfPoints images;
+    if (jacobian != nullptr) {
+      images = images_with_derivative(map_, steps_, from.at(parameters));
+    } else {
+      images.points = from.at(parameters);
+      iterate_all(map_, steps_, images.points);
+    }
     const std::size_t rows = 2 * nodes + 1, columns = 2 * size_ + 1;
-    Matrix jacobian(rows, columns);
     std::vector<double> residual(rows);
     std::vector<double> here(size_), there(size_), slope(size_);
     for (std::size_t j = 0; j < nodes; ++j) {
@@ -146,20 +201,23 @@ class Solver {
       chebyshev_basis(x, here);
       chebyshev_basis(from.multiplier * x, there, slope);
       const std::size_t row = 2 * j;
-      const Matrix2& a = images.derivatives[j];
       Point p, velocity;
       for (std::size_t k = 0; k < size_; ++k) {
         const Point c = from.coefficients[k];
         p = {p.x + c.x * there[k], p.y + c.y * there[k]};
         velocity = {velocity.x + c.x * slope[k], velocity.y + c.y * slope[k]};
+        if (jacobian == nullptr) continue;
+        const Matrix2& a = images.derivatives[j];
         const std::size_t column = 2 * k;
-        jacobian(row, column) = a.xx * here[k] - there[k];
-        jacobian(row, column + 1) = a.xy * here[k];
-        jacobian(row + 1, column) = a.yx * here[k];
-        jacobian(row + 1, column + 1) = a.yy * here[k] - there[k];
+        (*jacobian)(row, column) = a.xx * here[k] - there[k];
+        (*jacobian)(row, column + 1) = a.xy * here[k];
+        (*jacobian)(row + 1, column) = a.yx * here[k];
+        (*jacobian)(row + 1, column + 1) = a.yy * here[k] - there[k];
       }
-      jacobian(row, columns - 1) = -velocity.x * x;
-      jacobian(row + 1, columns - 1) = -velocity.y * x;
+      if (jacobian != nullptr) {
+        (*jacobian)(row, columns - 1) = -velocity.x * x;
+        (*jacobian)(row + 1, columns - 1) = -velocity.y * x;
+      }
       residual[row] = images.points[j].x - p.x;
       residual[row + 1] = images.points[j].y - p.y;
     }
@@ -168,32 +226,42 @@ class Solver {
     double along = 0;
     for (std::size_t k = 0; k < size_; ++k) {
       const std::size_t column = 2 * k;
-      jacobian(rows - 1, column) = saddle_.tangent.x * slope[k];
-      jacobian(rows - 1, column + 1) = saddle_.tangent.y * slope[k];
+      if (jacobian != nullptr) {
+        (*jacobian)(rows - 1, column) = saddle_.tangent.x * slope[k];
+        (*jacobian)(rows - 1, column + 1) = saddle_.tangent.y * slope[k];
+      }
       along += slope[k] * (saddle_.tangent.x * from.coefficients[k].x + saddle_.tangent.y * from.coefficients[k].y);
     }
-    jacobian(rows - 1, columns - 1) = 0;
+    if (jacobian != nullptr) (*jacobian)(rows - 1, columns - 1) = 0;
     residual[rows - 1] = along - from.reach;
-    const double size = std::sqrt(std::inner_product(residual.begin(), residual.end(), residual.begin(), 0.0));
-    if (!std::isfinite(size)) return size;
-    if (size < least) best = from;
-    const std::vector<double> change = least_squares(jacobian, residual);
-    for (std::size_t k = 0; k < size_; ++k) {
-      const std::size_t column = 2 * k;
-      from.coefficients[k].x -= change[column];
-      from.coefficients[k].y -= change[column + 1];
-    }
-    from.multiplier -= change[columns - 1];
-    return size;
+    return residual;
   }
 
   // The defect at points that are no nodes, evenly spread and up to the end.
   void measure(Candidate& candidate) const {
     const std::size_t count = 8 * size_ + 1;
+    std::vector<double> at(count);
+    for (std::size_t k = 0; k < count; ++k) at[k] = -1 + 2 * static_cast<double>(k) / static_cast<double>(count - 1);
+    measure(candidate, at);
+  }
+
+  // The same with a quarter of the points: between nodes, one each, where a polynomial that is right at these is off by
+  // the most.
+  void measure_between_nodes(Candidate& candidate) const {
+    const std::size_t count = 2 * size_ + 1;
+    std::vector<double> at(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      at[k] = -elementary::cos(std::numbers::pi * static_cast<double>(k) / static_cast<double>(count - 1));
+    }
+    measure(candidate, at);
+  }
+
+  // At these fractions of the reach, which ascend.
+  void measure(Candidate& candidate, std::span<const double> at) const {
+    const std::size_t count = at.size();
     std::vector<double> parameters(count), ahead(count);
     for (std::size_t k = 0; k < count; ++k) {
-      const double x = -1 + 2 * static_cast<double>(k) / static_cast<double>(count - 1);
-      ahead[k] = candidate.reach * x;
+      ahead[k] = candidate.reach * at[k];
       parameters[k] = ahead[k] / candidate.multiplier;
     }
     std::vector<Point> images = candidate.at(parameters);
@@ -279,11 +347,17 @@ std::optional<Candidate> from_neighbour(const Solver& solver, const Saddle& sadd
                                         double unit) {
   const LocalManifold& other = *options.neighbour;
   if (!(other.multiplier * saddle.multiplier > 0) || other.reach > options.max_length) return std::nullopt;
-  std::optional<Candidate> found = solver.solved(solver.shifted(other));
-  if (!found) return std::nullopt;
-  found->noise = other.noise;
-  found->noise_across = other.noise_across;
-  return is_acceptable(*found, saddle, options, unit, 2) ? found : std::nullopt;
+  std::optional<Candidate> found = solver.solved_nearby(solver.shifted(other));
+  const auto is_good = [&] {
+    if (!found) return false;
+    found->noise = other.noise;
+    found->noise_across = other.noise_across;
+    return is_acceptable(*found, saddle, options, unit, 2);
+  };
+  if (is_good()) return found;
+  // Once more, with derivatives from nearer by.
+  if (found) found = solver.solved_nearby(*found);
+  return is_good() ? found : std::nullopt;
 }
 
 }  // namespace

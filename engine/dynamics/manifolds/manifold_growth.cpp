@@ -2,6 +2,7 @@
 #include "engine/dynamics/manifolds/manifold_growth.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "engine/dynamics/maps/plane.hpp"
 #include "kernels/elementary.hpp"
 #include "kernels/point.hpp"
+#include "kernels/segment_flags.hpp"
 #include "lober/base/error.hpp"
 
 namespace lober::detail {
@@ -353,11 +355,12 @@ void ManifoldGrowth::append(const Trace& trace, int generation) {
   add_length(begin);
 }
 
-// The length of the segment behind point k, as far as it counts.
-double ManifoldGrowth::length_behind(std::size_t k) const {
-  const Point a = result_.points[k], b = result_.points[k + 1];
-  if (!meet(Box::of(a, b), trace_options_.box)) return 0;
-  return distance(a, b);
+// The lengths of `count` segments behind point k, as far as they count.
+void ManifoldGrowth::lengths_behind(std::size_t k, std::size_t count, double* lengths) const {
+  if (lengths_in_box(&result_.points[k], count, trace_options_.box, lengths)) return;
+  for (std::size_t j = 0; j < count; ++j) {
+    if (!meet(Box::of(result_.points[k + j], result_.points[k + j + 1]), trace_options_.box)) lengths[j] = 0;
+  }
 }
 
 // Adds the length of the segments up to the points from number `begin` on, and ends the curve at the vertex where it
@@ -368,7 +371,12 @@ void ManifoldGrowth::add_length(std::size_t begin) {
   std::vector<double> sums((count + pass_grain - 1) / pass_grain, 0);
   for_each_block(count, pass_grain, [&](std::size_t first, std::size_t last) {
     double sum = 0;
-    for (std::size_t k = first; k < last; ++k) sum += length_behind(first_segment + k);
+    std::array<double, max_flagged> lengths;
+    for (std::size_t k = first; k < last; k += max_flagged) {
+      const std::size_t few = std::min(max_flagged, last - k);
+      lengths_behind(first_segment + k, few, lengths.data());
+      for (std::size_t j = 0; j < few; ++j) sum += lengths[j];
+    }
     sums[first / pass_grain] = sum;
   });
   for (std::size_t block = 0; block < sums.size(); ++block) {
@@ -378,7 +386,9 @@ void ManifoldGrowth::add_length(std::size_t begin) {
     }
     const std::size_t last = first_segment + std::min(count, (block + 1) * pass_grain);
     for (std::size_t k = first_segment + block * pass_grain; k < last; ++k) {
-      result_.length += length_behind(k);
+      double length = 0;
+      lengths_behind(k, 1, &length);
+      result_.length += length;
       if (result_.length < options_.length) continue;
       result_.points.resize(k + 2);
       result_.parameters.resize(k + 2);

@@ -6,6 +6,7 @@
 // multiplier is 1e9 makes a curve of length 1e9 in one iterate, of which a tangle needs the first thousandth.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <span>
@@ -25,13 +26,16 @@ class ManifoldGrowth {
   /// Grows on until the time is `end` or more (piece by piece: it is a multiple of piece() then), or something stops
   /// it. The same points, bit for bit, whether they are grown in one call or in several.
   GrowthStop grow_to(double end);
+  /// Lets the curve end at this time, in its own images, where that is not the end of a piece: before any is grown.
+  /// Growth stops there for good.
+  void end_at(double end) { limit_ = std::min(limit_, std::max(end, 0.0)); }
   /// Puts points into segments of the curve, so that each becomes `parts`: images of parameters in between, as far as
   /// these can be told apart. Segments ascend and lie apart from tears. Returns the numbers of the new points,
   /// ascending; none when nothing can be gained or points run out. Cost: one pass over the curve.
   std::vector<std::size_t> refine(std::span<const std::uint32_t> segments, int parts);
 
   /// Time of the end of the curve; negative before anything has been grown.
-  [[nodiscard]] double time() const { return time_at(pieces_done_); }
+  [[nodiscard]] double time() const { return std::min(time_at(pieces_done_), limit_); }
   /// Duration of a piece.
   [[nodiscard]] double piece() const { return 1.0 / pieces_; }
   /// The reason why it stopped; `iterates` as long as it can go on.
@@ -63,7 +67,7 @@ class ManifoldGrowth {
   [[nodiscard]] Samples part_of_local(const Samples& samples, int part) const;
   [[nodiscard]] Samples carried(Samples guide, int generation, double end);
   void append(const Trace& trace, int generation);
-  [[nodiscard]] double length_behind(std::size_t k) const;
+  void lengths_behind(std::size_t k, std::size_t count, double* lengths) const;
   void add_length(std::size_t begin);
   [[nodiscard]] bool alive(const Samples& samples) const;
   [[nodiscard]] bool is_short() const;

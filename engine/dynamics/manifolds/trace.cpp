@@ -9,6 +9,7 @@
 #include "engine/base/parallel/running_sums.hpp"
 #include "engine/dynamics/manifolds/segment_requirements.hpp"
 #include "engine/dynamics/maps/plane.hpp"
+#include "kernels/graded.hpp"
 #include "kernels/point.hpp"
 #include "lober/base/error.hpp"
 
@@ -17,13 +18,8 @@ namespace {
 
 // Points are placed this much denser than the estimate asks for, so that few segments turn out too coarse.
 constexpr double reserve = 1.08;
-// A segment is taken for too coarse when the estimate comes so close to the tolerance, because it is one.
-constexpr double caution = 0.97;
 // Points lie by so much, as a fraction, more or less densely, where that lets a point of the guide stay.
 constexpr double max_stretching = 0.04;
-// The guide has at least this number of parts a segment, and turns by no more than this (radians).
-constexpr double coarsest_guide = 5;
-constexpr double sharpest_guide = 0.7;
 // Where the map fails on one side, the edge is sought to this fraction of the range of the parameter.
 constexpr double edge_resolution = 1e-7;
 constexpr std::size_t chunk = std::size_t{1} << 16;  // evaluations between two reports of progress
@@ -45,12 +41,13 @@ class Tracer {
 
   Trace run() {
     verdicts_.assign(segments(), open);
-    while (rounds_ < options_.max_rounds && insert_where([&](const TracedSegment& s) { return guided(s); })) {
+    while (rounds_ < options_.max_rounds &&
+           insert_where(against_guide, [&](const TracedSegment& s) { return guided(s); })) {
     }
     if (!abandoned()) resample_evenly();
     verdicts_.assign(segments(), open);
     while (!abandoned() && rounds_ < options_.max_rounds &&
-           insert_where([&](const TracedSegment& s) { return judged(s); })) {
+           insert_where(against_tolerance, [&](const TracedSegment& s) { return judged(s); })) {
     }
     if (!abandoned()) collect_diagnostics();
     trace_.samples = std::move(samples_);
@@ -90,20 +87,30 @@ class Tracer {
 
   // Points that stay, without those at the ends.
   [[nodiscard]] std::span<const std::uint32_t> corners() const { return std::span(kept_).subspan(1, kept_.size() - 2); }
-  [[nodiscard]] bool is_corner(std::size_t k) const {
-    return kept_.size() > 2 && std::binary_search(kept_.begin(), kept_.end(), static_cast<std::uint32_t>(k));
-  }
 
-  // Calls body(segment) for begin <= k < end in order.
-  template <typename Body>
-  void for_segments(std::size_t begin, std::size_t end, const Body& body) const {
+  // Segments begin to end in order: calls body(segment) for those that have any of the flags, and plain(first, last,
+  // requirements) for what lies between these, ordinary segments all.
+  template <typename Plain, typename Body>
+  void for_segments(std::size_t begin, std::size_t end, std::int64_t flags, const Plain& plain,
+                    const Body& body) const {
     SegmentRequirements requirements;
     for (; begin < end; begin = std::min(begin + SegmentRequirements::most, end)) {
       const std::size_t until = std::min(begin + SegmentRequirements::most, end);
-      requirements.measure(samples_, corners(), options_, begin, until);
-      for (std::size_t k = begin; k < until; ++k) body(requirements[k]);
+      const std::int64_t any = requirements.measure(samples_, corners(), options_, begin, until);
+      std::size_t next = begin;
+      for (std::size_t k = begin; (any & flags) != 0 && k < until; ++k) {
+        if ((requirements.flags(k) & flags) == 0) continue;
+        if (next < k) plain(next, k, requirements);
+        body(requirements[k]);
+        next = k + 1;
+      }
+      if (next < until) plain(next, until, requirements);
     }
   }
+
+  // Where nothing of these stands against a segment, one part is enough: for the guide, and for the tolerance.
+  static constexpr std::int64_t against_guide = outside_segment | unknown_segment | rough_segment;
+  static constexpr std::int64_t against_tolerance = outside_segment | uneven_segment | coarse_segment;
 
   [[nodiscard]] std::uint32_t allowed(const TracedSegment& segment, double parts) const {
     const double most = std::floor(gap(segment.number) / std::max(options_.min_spacing, 1e-300));
@@ -151,6 +158,13 @@ class Tracer {
     return static_cast<Verdict>(fine + 1 + static_cast<int>(cause));
   }
 
+  // Sets the verdicts on segments that need no more than one part.
+  [[nodiscard]] auto mark_fine() {
+    return [this](std::size_t first, std::size_t last, const SegmentRequirements&) {
+      std::fill(&verdicts_[first], &verdicts_[last - 1] + 1, fine);
+    };
+  }
+
   // Parts for the guide and for the tolerance; where one is enough, or the end, the verdict is set.
   [[nodiscard]] std::uint32_t guided(const TracedSegment& segment) {
     const std::uint32_t parts = parts_for_guide(segment);
@@ -170,8 +184,8 @@ class Tracer {
     for (std::size_t begin = 0; begin < size; begin += chunk) {
       const std::size_t count = std::min(chunk, size - begin);
       for_each_block(count, options_.batch, [&](std::size_t first, std::size_t last) {
-        std::vector<double> parameters(last - first);
-        std::vector<Point> points(last - first);
+        Buffer<double> parameters(last - first);
+        Buffer<Point> points(last - first);
         for (std::size_t k = first; k < last; ++k) parameters[k - first] = parameter(begin + k);
         function_(parameters, points);
         if (options_.spent && options_.spent()) throw Cancelled();
@@ -181,25 +195,45 @@ class Tracer {
     }
   }
 
-  // One round: false when there was nothing to insert, or max_points is reached.
+  // A segment, and the number of points to put into it.
+  struct Cut {
+    std::uint32_t segment, points;
+  };
+
+  // The segments that are open and need more parts than one; the others get their verdicts.
   template <typename Parts>
-  bool insert_where(const Parts& parts) {
-    Buffer<std::uint32_t> more(segments());  // points to put into each segment
-    const auto settled = [&](std::size_t k) { return verdicts_[k] != open; };
+  [[nodiscard]] Buffer<Cut> cuts(std::int64_t flags, const Parts& parts) {
+    std::vector<Buffer<Cut>> found((segments() + pass_grain - 1) / pass_grain);
     for_each_block(segments(), pass_grain, [&](std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k) {
-        more[k] = 0;
-        if (settled(k)) continue;
-        const std::size_t begin = k;
-        while (k + 1 < last && !settled(k + 1)) ++k;
-        for_segments(begin, k + 1, [&](const TracedSegment& segment) { more[segment.number] = parts(segment) - 1; });
+      Buffer<Cut>& here = found[first / pass_grain];
+      const Verdict* const verdicts = verdicts_.data();
+      for (std::size_t begin = first, end = first; begin < last; begin = end) {
+        begin = static_cast<std::size_t>(std::find(verdicts + begin, verdicts + last, open) - verdicts);
+        end = begin;
+        while (end < last && verdicts[end] == open) ++end;
+        for_segments(begin, end, flags, mark_fine(), [&](const TracedSegment& segment) {
+          const std::uint32_t more = parts(segment) - 1;
+          if (more != 0) here.push_back({static_cast<std::uint32_t>(segment.number), more});
+        });
       }
     });
-    const auto broken = gathered<std::uint32_t>(
-        more.size(), [&](std::size_t k) { return more[k] != 0; },
-        [](std::size_t k) { return static_cast<std::uint32_t>(k); });
+    Buffer<Cut> all;
+    for (Buffer<Cut>& here : found) {
+      if (all.empty()) {
+        all = std::move(here);
+      } else {
+        all.insert(all.end(), here.begin(), here.end());
+      }
+    }
+    return all;
+  }
+
+  // One round: false when there was nothing to insert, or max_points is reached.
+  template <typename Parts>
+  bool insert_where(std::int64_t flags, const Parts& parts) {
+    const Buffer<Cut> broken = cuts(flags, parts);
     if (broken.empty()) return false;
-    const auto begin = running_sums(broken.size(), [&](std::size_t k) { return more[broken[k]]; });
+    const auto begin = running_sums(broken.size(), [&](std::size_t k) { return broken[k].points; });
     if (samples_.points.size() + begin[broken.size()] > options_.max_points) {
       end_where_points_run_out(broken, begin);
       return !abandoned();
@@ -207,9 +241,9 @@ class Tracer {
     Buffer<Insertion> insertions(begin[broken.size()]);
     for_each_block(broken.size(), pass_grain, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
-        const std::uint32_t count = more[broken[k]];
-        const double from = samples_.parameters[broken[k]], step = gap(broken[k]) / (count + 1);
-        for (std::uint32_t j = 0; j < count; ++j) insertions[begin[k] + j] = {broken[k], from + (j + 1) * step, {}};
+        const auto [segment, count] = broken[k];
+        const double from = samples_.parameters[segment], step = gap(segment) / (count + 1);
+        for (std::uint32_t j = 0; j < count; ++j) insertions[begin[k] + j] = {segment, from + (j + 1) * step, {}};
       }
     });
     evaluate(
@@ -254,17 +288,17 @@ class Tracer {
   }
 
   // Ends the samples where all insertions up to there still fit in.
-  void end_where_points_run_out(const Buffer<std::uint32_t>& broken, const Buffer<std::uint64_t>& begin) {
+  void end_where_points_run_out(const Buffer<Cut>& broken, const Buffer<std::uint64_t>& begin) {
     trace_.out_of_points = true;
     if (!options_.cut) {
       trace_.points_needed = static_cast<double>(samples_.points.size() + begin[broken.size()]);
       return;
     }
     std::size_t k = 0;
-    while (k < broken.size() && broken[k] + 1 + begin[k + 1] <= options_.max_points) ++k;
+    while (k < broken.size() && broken[k].segment + 1 + begin[k + 1] <= options_.max_points) ++k;
     // Up to broken[k] nothing exceeds; leave points for what the next rounds add there.
     const std::size_t size = std::max<std::size_t>(
-        2, std::min<std::size_t>(broken[std::min(k, broken.size() - 1)], options_.max_points - begin[k]));
+        2, std::min<std::size_t>(broken[std::min(k, broken.size() - 1)].segment, options_.max_points - begin[k]));
     truncate(std::min(size, samples_.points.size() - 1));
   }
 
@@ -272,14 +306,19 @@ class Tracer {
   void resample_evenly() {
     Buffer<double> required(segments());
     for_each_block(segments(), pass_grain, [&](std::size_t first, std::size_t last) {
-      for_segments(first, last, [&](const TracedSegment& segment) {
+      const double spacing = std::max(options_.min_spacing, 1e-300);
+      const auto plain = [&](std::size_t from, std::size_t to, const SegmentRequirements& requirements) {
+        for (std::size_t k = from; k < to; ++k) {
+          required[k] = std::min(requirements.required_parts(k) * reserve, gap(k) / spacing);
+        }
+      };
+      for_segments(first, last, outside_segment, plain, [&](const TracedSegment& segment) {
         const Kind what = kind(segment.number);
         // Outside the box nothing is asked for: the guide itself, simplified.
         double parts = what == Kind::ordinary                       ? segment.required_parts * reserve
                        : what == Kind::edge || what == Kind::beside ? 1
                                                                     : 0.5;
-        parts = std::min(parts, gap(segment.number) / std::max(options_.min_spacing, 1e-300));
-        required[segment.number] = parts;
+        required[segment.number] = std::min(parts, gap(segment.number) / spacing);
       });
     });
     end_by_length(required);
@@ -289,7 +328,7 @@ class Tracer {
     const auto size = static_cast<std::size_t>(index.back()) + 1;
     Samples even{Buffer<double>(size), Buffer<Point>(size)};
     for_each_block(segments(), pass_grain, [&](std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k) fill_segment(k, required, index, even.parameters);
+      fill_segments(first, last, required, index, even.parameters);
     });
     for (std::uint32_t& k : kept_) k = static_cast<std::uint32_t>(index[k]);
     for (std::uint32_t& k : known) {
@@ -362,22 +401,22 @@ class Tracer {
     return index;
   }
 
-  // The new points whose numbers fall into segment k of the guide. The density varies linearly along the segment,
-  // from that around its first end to that around the other.
-  void fill_segment(std::size_t k, const Buffer<double>& required, const Buffer<double>& index,
-                    Buffer<double>& parameters) const {
-    const double begin = std::ceil(index[k]), end = index[k + 1];
-    if (!(begin < end)) return;
-    const auto density = [&](std::size_t i, std::size_t j) { return (required[i] + required[j]) / (gap(i) + gap(j)); };
-    const double own = density(k, k);
-    const double low = own / 4, high = own * 4;
-    const double a = k > 0 && !is_corner(k) ? std::clamp(density(k - 1, k), low, high) : own;
-    const double b = k + 1 < segments() && !is_corner(k + 1) ? std::clamp(density(k, k + 1), low, high) : own;
-    const double width = end - index[k];
-    for (auto number = static_cast<std::size_t>(begin); static_cast<double>(number) < end; ++number) {
-      const double part = (static_cast<double>(number) - index[k]) / width;
-      const double t = own > 0 ? part * (a + b) / (a + std::sqrt(a * a + (b - a) * (b + a) * part)) : part;
-      parameters[number] = samples_.parameters[k] + gap(k) * t;
+  // The new points whose numbers fall into segments first to last of the guide. The density varies linearly along a
+  // segment, from that around its first end to that around the other; next to corners it is the segment's own.
+  void fill_segments(std::size_t first, std::size_t last, const Buffer<double>& required, const Buffer<double>& index,
+                     Buffer<double>& parameters) const {
+    const auto own_end = static_cast<std::size_t>(std::ceil(index[last]));
+    std::array<double, max_graded + 1> around;
+    for (std::size_t begin = first, end = first; begin < last; begin = end) {
+      end = std::min(begin + max_graded, last);
+      for (std::size_t k = begin; k <= end; ++k) {
+        around[k - begin] = k > 0 && k < segments() ? (required[k - 1] + required[k]) / (gap(k - 1) + gap(k)) : -1;
+      }
+      const auto inner = corners();
+      for (auto k = std::lower_bound(inner.begin(), inner.end(), begin); k != inner.end() && *k <= end; ++k)
+        around[*k - begin] = -1;
+      place_graded({&samples_.parameters[begin], &index[begin], &required[begin], around.data(), end - begin},
+                   parameters.data(), own_end);
     }
   }
 
@@ -399,7 +438,8 @@ class Tracer {
     if (rounds_ == options_.max_rounds || trace_.out_of_points) {  // some may be open still
       verdicts_.resize(segments());
       for_each_block(segments(), pass_grain, [&](std::size_t first, std::size_t last) {
-        for_segments(first, last, [&](const TracedSegment& s) { verdicts_[s.number] = verdict(s, kind(s.number)); });
+        for_segments(first, last, outside_segment | coarse_segment, mark_fine(),
+                     [&](const TracedSegment& s) { verdicts_[s.number] = verdict(s, kind(s.number)); });
       });
     }
     const Buffer<GrowthDiagnostic> diagnostics = gathered<GrowthDiagnostic>(

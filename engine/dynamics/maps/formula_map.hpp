@@ -45,6 +45,9 @@ class FormulaMap final : public PlanarMap {
     }
   }
 
+  // Each call has costs of its own, which fewer points would not hide.
+  [[nodiscard]] std::size_t batch() const override { return 128; }
+
   Point iterate_with_derivative(Point point, int iterates, Matrix2& derivative) const override {
     derivative = {};
     for (int k = 0; k < iterates; ++k) {

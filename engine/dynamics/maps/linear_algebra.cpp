@@ -15,10 +15,23 @@ Eigen::MatrixXd converted(const Matrix& matrix) {
 
 }  // namespace
 
-std::vector<double> least_squares(const Matrix& matrix, const std::vector<double>& right) {
+struct LeastSquares::Factors {
+  Eigen::HouseholderQR<Eigen::MatrixXd> qr;
+};
+
+LeastSquares::LeastSquares(const Matrix& matrix)
+    : factors_(std::make_unique<const Factors>(Factors{converted(matrix).householderQr()})) {}
+
+LeastSquares::~LeastSquares() = default;
+
+std::vector<double> LeastSquares::solve(const std::vector<double>& right) const {
   const Eigen::Map<const Eigen::VectorXd> b(right.data(), static_cast<Eigen::Index>(right.size()));
-  const Eigen::VectorXd x = converted(matrix).householderQr().solve(b);
+  const Eigen::VectorXd x = factors_->qr.solve(b);
   return {x.data(), x.data() + x.size()};
+}
+
+std::vector<double> least_squares(const Matrix& matrix, const std::vector<double>& right) {
+  return LeastSquares(matrix).solve(right);
 }
 
 std::vector<EigenPair> eigen_pairs(const Matrix& matrix) {

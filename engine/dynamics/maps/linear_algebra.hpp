@@ -3,6 +3,7 @@
 
 #include <complex>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "lober/dynamics/flow.hpp"
@@ -21,6 +22,21 @@ class Matrix {
  private:
   std::size_t columns_;
   std::vector<double> entries_;
+};
+
+/// A matrix factored once for many right-hand sides, by Householder's QR.
+class LeastSquares {
+ public:
+  explicit LeastSquares(const Matrix& matrix);
+  ~LeastSquares();
+  LeastSquares(const LeastSquares&) = delete;
+  LeastSquares& operator=(const LeastSquares&) = delete;
+  /// x with the least |matrix x - right|; the solution when the matrix is square and regular.
+  [[nodiscard]] std::vector<double> solve(const std::vector<double>& right) const;
+
+ private:
+  struct Factors;
+  std::unique_ptr<const Factors> factors_;
 };
 
 /// x with the least |matrix x - right|, by Householder's QR; the solution when the matrix is square and regular.

@@ -82,13 +82,14 @@ struct Sweep {
   [[nodiscard]] LOBER_API std::size_t failures() const;
 };
 
-/// Gives one row for each value; values that fail are recorded and the rest goes on. Every eighth value is computed
-/// from scratch, and from there its turnstile is continued to the next one: all rows have the same pip as the bip,
-/// however it moves, or an image of it, as long as its orbit is found from value to value. A row may have twice the
-/// defect that the local manifolds of that value by itself may have (LocalManifoldOptions::neighbour); areas by action
-/// agree to their errors. A sweep takes a third to a half of the evaluations of the map that separate values take. A
-/// zero takes about six orbits and one more tangle, which confirms it. Values and zeros are computed in parallel; the
-/// same bits for any number of threads. Throws Cancelled.
+/// Gives one row for each value; values that fail are recorded and the rest goes on. Every 32nd value is computed from
+/// scratch, and from there its turnstile is continued to the next one: all rows have the same pip as the bip, however
+/// it moves, or an image of it, as long as its orbit is found from value to value. A row may have twice the defect that
+/// the local manifolds of that value by itself may have (LocalManifoldOptions::neighbour); areas by action agree to
+/// their errors. Where pips can be followed, a sweep of a dozen values or more takes less than a third of the
+/// evaluations of the map that separate values take; a value at which they come or go takes as many as by itself, or
+/// twice that. A zero takes about six orbits and one more tangle, which confirms it. Values and zeros are computed in
+/// parallel; the same bits for any number of threads. Throws Cancelled.
 [[nodiscard]] LOBER_API Sweep sweep(const Family& family, std::span<const double> values,
                                     const SweepOptions& options = {});
 

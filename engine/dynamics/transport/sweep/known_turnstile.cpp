@@ -41,6 +41,26 @@ ConnectingOrbit preimage(const PlanarMap& map, const KnownTurnstile& known, Conn
   return q;
 }
 
+// Manifolds of different reach have no coefficients to compare.
+ManifoldRate rate_of(const LocalManifold& from, const LocalManifold& to, double step) {
+  if (step == 0 || from.reach != to.reach || from.coefficients.size() != to.coefficients.size()) return {};
+  const auto rate = [step](Point a, Point b) { return Point{(b.x - a.x) / step, (b.y - a.y) / step}; };
+  ManifoldRate result{rate(from.saddle, to.saddle), (to.multiplier - from.multiplier) / step, {}};
+  for (std::size_t k = 0; k < to.coefficients.size(); ++k)
+    result.coefficients.push_back(rate(from.coefficients[k], to.coefficients[k]));
+  return result;
+}
+
+LocalManifold moved_on(const LocalManifold& from, const ManifoldRate& rate, double step) {
+  LocalManifold result = from;
+  if (rate.coefficients.empty()) return result;
+  const auto add = [step](Point& at, Point by) { at = {at.x + step * by.x, at.y + step * by.y}; };
+  add(result.saddle, rate.saddle);
+  result.multiplier += step * rate.multiplier;
+  for (std::size_t k = 0; k < result.coefficients.size(); ++k) add(result.coefficients[k], rate.coefficients[k]);
+  return result;
+}
+
 constexpr double lost = std::numeric_limits<double>::infinity();
 
 // Orbits that are not behind the one before are another pip's, and lost. False if q is.
@@ -105,15 +125,19 @@ std::optional<std::size_t> KnownTurnstile::same_pip(const KnownTurnstile& other,
   return std::nullopt;
 }
 
-// U is grown to the pip and S to its pre-image; their lengths go with the multipliers.
+// U is grown to the pip and S to its pre-image. Their lengths go with the multipliers, and a point takes an image for
+// each generation.
 KnownBip KnownTurnstile::bip(std::size_t number) const {
   const ConnectingOrbit& orbit = orbits[number];
   const double on_u = time_of(u, orbit.u), on_s = time_of(s, orbit.s);
+  const auto cost_of = [](const LocalManifold& local, double time) {
+    const double to_end = std::max(time, 0.0);
+    return local.reach * elementary::power(local.image().factor, to_end) * (1 + to_end);
+  };
   double least = std::numeric_limits<double>::infinity();
   int best = 0;
   for (const int images : {0, 1, -1, 2, -2}) {
-    const double cost = elementary::power(u.image().factor, std::max(on_u + images, 0.0)) +
-                        elementary::power(s.image().factor, std::max(on_s + 1 - images, 0.0));
+    const double cost = cost_of(u, on_u + images) + cost_of(s, on_s + 1 - images);
     if (cost >= least) continue;
     least = cost;
     best = images;
@@ -122,16 +146,19 @@ KnownBip KnownTurnstile::bip(std::size_t number) const {
 }
 
 KnownTurnstile known_turnstile(const ManifoldTangle& found) {
-  return {found.local_u, found.local_s, found.orbits, found.u.points.size() + found.s.points.size()};
+  return {found.local_u, found.local_s, {}, {}, found.orbits};
 }
 
 std::optional<KnownTurnstile> continued_turnstile(const PlanarMap& map, const Connection& connection,
-                                                  const KnownTurnstile& from) {
+                                                  const KnownTurnstile& from, double step) {
+  const LocalManifold near_u = moved_on(from.u, from.rate_u, step), near_s = moved_on(from.s, from.rate_s, step);
   Connection between = connection;
-  between.from = from.u.saddle;
-  between.to = from.s.saddle;
+  between.from = near_u.saddle;
+  between.to = near_s.saddle;
   KnownTurnstile known;
-  std::tie(known.u, known.s) = local_manifolds(map, between, &from.u, &from.s);
+  std::tie(known.u, known.s) = local_manifolds(map, between, &near_u, &near_s);
+  known.rate_u = rate_of(from.u, known.u, step);
+  known.rate_s = rate_of(from.s, known.s, step);
   const double images = images_to_the_middle(from);
   const std::size_t last = from.orbits.size() - 1;
   known.orbits.resize(last + 1);

@@ -14,10 +14,17 @@
 
 namespace lober::detail {
 
+/// The change of a local manifold by a parameter, per unit of it; empty where it is not known.
+struct ManifoldRate {
+  Point saddle;
+  double multiplier = 0;
+  std::vector<Point> coefficients;
+};
+
 struct KnownTurnstile {
   LocalManifold u, s;
+  ManifoldRate rate_u, rate_s;
   std::vector<ConnectingOrbit> orbits;  ///< orbits of the pips of one iterate, from f^-1(q) to q
-  std::size_t points = 0;               ///< points of both manifolds as grown; 0 where it was continued
 
   /// Pips come and go in pairs; one that was there before is lost, and its orbit without meaning.
   [[nodiscard]] bool is_lost(std::size_t number) const { return std::isinf(orbits[number].residual); }
@@ -35,9 +42,9 @@ struct KnownTurnstile {
 
 [[nodiscard]] KnownTurnstile known_turnstile(const ManifoldTangle& found);
 
-/// The turnstile of a map near the one of `from`, with the same pips; as q the image in the middle between the saddles.
-/// Nothing where q is not found, or not behind the others. Throws as local_manifold.
+/// The turnstile of the map whose parameter is `step` from that of `from`, with the same pips; as q the image in the
+/// middle between the saddles. Nothing where q is not found, or not behind the others. Throws as local_manifold.
 [[nodiscard]] std::optional<KnownTurnstile> continued_turnstile(const PlanarMap& map, const Connection& connection,
-                                                                const KnownTurnstile& from);
+                                                                const KnownTurnstile& from, double step);
 
 }  // namespace lober::detail

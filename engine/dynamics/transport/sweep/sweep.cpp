@@ -84,7 +84,7 @@ SweepValue value_at(const Family& family, double value, const ManifoldTangleOpti
 // The values of a sweep, with pips that are the same orbits all along it.
 //
 // A tangle by itself takes one of its pips as the bip, and a little farther along the sweep it might take another:
-// W(q) - W(q') would jump. So every eighth value is worked out from nothing; from each of these the turnstile is
+// W(q) - W(q') would jump. So every 32nd value is worked out from nothing; from each of these the turnstile is
 // continued value by value to the next one, where it shows which of that one's pips is the same. Then all rows are
 // made, with local manifolds and a bip that are known. The same bits for any number of threads.
 class SweepOfValues {
@@ -94,16 +94,16 @@ class SweepOfValues {
   using OnRow = std::function<void(const SweepRow&)>;
 
   /// Counts in `done` the pieces of work that are, `pieces()` in all.
-  SweepOfValues(const Family& family, std::span<const double> values, bool bip_is_given, std::atomic<std::size_t>& done,
-                ValueAt value_at, OnRow on_row)
+  SweepOfValues(const Family& family, std::span<const double> values, std::atomic<std::size_t>& done, ValueAt value_at,
+                OnRow on_row)
       : family_(family),
         values_(values),
-        bip_is_given_(bip_is_given),
         done_(done),
         value_at_(std::move(value_at)),
         on_row_(std::move(on_row)),
         known_(values.size()),
         found_(values.size()),
+        chain_(values.size()),
         follows_(values.size()),
         is_own_(values.size()),
         is_made_(values.size()) {}
@@ -114,17 +114,19 @@ class SweepOfValues {
   std::vector<SweepValue> run() {
     const std::size_t groups = (values_.size() + together - 1) / together;
     at_begin_.resize(groups);
+    begin_chain_.resize(groups);
     for_each_block(groups, 1, [&](std::size_t g, std::size_t) {
       const std::size_t k = g * together;
       found_[k] = value_at_(values_[k], nullptr);
       known_[k] = found_[k].known;
+      chain_[k] = k;
       ++done_;
     });
     for_each_block(groups, 1, [&](std::size_t g, std::size_t) { continue_from(g); });
     continue_over_gaps();
     const std::vector<std::size_t> bip = bips();
     for_each_block(values_.size(), 1, [&](std::size_t k, std::size_t) {
-      make_row(k, bip[k / together]);
+      make_row(k, bip[k]);
       ++done_;
       hand_over(k);
     });
@@ -134,7 +136,7 @@ class SweepOfValues {
   }
 
  private:
-  static constexpr std::size_t together = 8;
+  static constexpr std::size_t together = 32;
 
   // Turnstiles of the values up to the beginning of the next group, and there. Where one cannot be continued it is
   // worked out from nothing.
@@ -144,6 +146,7 @@ class SweepOfValues {
     for (std::size_t k = group * together; k < end; ++k) {
       if (k > group * together) {
         if (last) known_[k] = continued(k, *last);
+        chain_[k] = known_[k] ? chain_[*last] : k;
         follows_[k] = known_[k] && known_[k - 1];
         if (!known_[k]) {
           found_[k] = value_at_(values_[k], nullptr);
@@ -153,7 +156,9 @@ class SweepOfValues {
       if (known_[k]) last = k;
       ++done_;
     }
-    if (end < values_.size() && last) at_begin_[group + 1] = continued(end, *last);
+    if (end == values_.size() || !last) return;
+    at_begin_[group + 1] = continued(end, *last);
+    begin_chain_[group + 1] = chain_[*last];
   }
 
   // Where a system's own guess finds no saddle any more, one that was followed there may be; from either side.
@@ -162,36 +167,42 @@ class SweepOfValues {
       if (known_[k] || !known_[from]) return;
       known_[k] = continued(k, from);
       if (!known_[k]) return;
+      chain_[k] = chain_[from];
       follows_[std::max(k, from)] = 1;
-      if (k % together == 0 && from < k) at_begin_[k / together] = known_[k];
     };
     for (std::size_t k = 1; k < values_.size(); ++k) fill(k, k - 1);
     for (std::size_t k = values_.size(); k-- > 1;) fill(k - 1, k);
   }
 
-  // The bip of each group, as the number of a pip in its turnstiles; 0: the one they have. It is that of the group
-  // whose first tangle took the fewest points, or of the first one, if it was asked for.
+  // The bip of each value, as the number of a pip in its turnstile; 0: the one it has. Along chains that are linked it
+  // is the orbit that the first tangle took: fluxes of overlapping lobes depend on it, and single values take that one
+  // too.
   [[nodiscard]] std::vector<std::size_t> bips() {
-    std::vector<std::size_t> same(at_begin_.size());  // as the bip of the first group
-    std::size_t fewest = std::numeric_limits<std::size_t>::max(), chosen = 0;
-    for (std::size_t g = 0; g < same.size(); ++g) {
-      const auto& here = known_[g * together];
-      if (!here) continue;
-      const std::size_t period = here->orbits.size() - 1;
-      const auto& there = at_begin_[g];
-      const bool is_linked =
-          g > 0 && there && same[g - 1] > 0 && same[g - 1] < there->orbits.size() && !there->is_lost(same[g - 1]);
-      const auto number = is_linked ? here->same_pip(*there, same[g - 1]) : std::nullopt;
-      same[g] = number.value_or(period);
-      follows_[g * together] = number.has_value();
-      if (bip_is_given_ || here->points == 0 || here->points >= fewest) continue;
-      fewest = here->points;
-      chosen = (period - same[g]) % period;
+    std::vector<std::size_t> bips(values_.size(), 0);
+    for (std::size_t k = 0; k < values_.size(); ++k) {
+      if (!known_[k] || chain_[k] != k) continue;
+      const std::size_t period = known_[k]->orbits.size() - 1;
+      std::optional<std::size_t> number;
+      if (const auto& there = at_begin_[k / together]; k % together == 0 && there) {
+        // As the last number of a period, which has no pre-image among the orbits.
+        const std::size_t before = bips[begin_chain_[k / together]], last = there->orbits.size() - 1;
+        const std::size_t bip = before == 0 ? last : before;
+        if (bip <= last && !there->is_lost(bip)) number = known_[k]->same_pip(*there, bip);
+        follows_[k] = number.has_value();
+      }
+      bips[k] = number.value_or(period) % period;
     }
-    for (std::size_t g = 0; g < same.size(); ++g) {
-      if (known_[g * together]) same[g] = (same[g] + chosen) % (known_[g * together]->orbits.size() - 1);
+    for (std::size_t k = 0; k < values_.size(); ++k) {
+      if (known_[k]) bips[k] = bips[chain_[k]];
     }
-    return same;
+    return bips;
+  }
+
+  // The number of the pip that a turnstile has as the bip where its row is to have `bip`: the last one, where that is
+  // lost.
+  [[nodiscard]] static std::size_t pip_for(const KnownTurnstile& known, std::size_t bip) {
+    const std::size_t last = known.orbits.size() - 1;
+    return bip == 0 || bip >= last || known.is_lost(bip) ? last : bip;
   }
 
   // The turnstile of value k from that of another one, in smaller steps where one is too large.
@@ -202,7 +213,7 @@ class SweepOfValues {
 
   [[nodiscard]] std::optional<KnownTurnstile> followed(double from, const KnownTurnstile& known, double to,
                                                        int halvings) const {
-    std::optional<KnownTurnstile> there = continued_to(family_, to, known);
+    std::optional<KnownTurnstile> there = continued_to(family_, to, known, to - from);
     if (there || halvings == 0) return there;
     const double middle = 0.5 * (from + to);
     const std::optional<KnownTurnstile> halfway = followed(from, known, middle, halvings - 1);
@@ -215,9 +226,8 @@ class SweepOfValues {
     const bool has_failed = !value.row.failure.empty();
     if (known_[k]) {
       const std::size_t last = known_[k]->orbits.size() - 1;
-      const bool is_last = bip == 0 || bip >= last;
-      const bool is_there = is_last || !known_[k]->is_lost(bip);
-      const KnownBip known = known_[k]->bip(is_last || !is_there ? last : bip);
+      const bool is_there = bip == 0 || bip >= last || !known_[k]->is_lost(bip);
+      const KnownBip known = known_[k]->bip(pip_for(*known_[k], bip));
       SweepValue made = value_at_(values_[k], &known);
       is_own_[k] = !made.known || !is_there;
       if (made.known) value = std::move(made);
@@ -237,13 +247,14 @@ class SweepOfValues {
 
   const Family& family_;
   std::span<const double> values_;
-  bool bip_is_given_;
   std::atomic<std::size_t>& done_;
   ValueAt value_at_;
   OnRow on_row_;
   std::vector<std::optional<KnownTurnstile>> known_;     // as continued
   std::vector<std::optional<KnownTurnstile>> at_begin_;  // that of the group before continued to the first of a group
+  std::vector<std::size_t> begin_chain_;                 // the chain that this belongs to
   std::vector<SweepValue> found_;
+  std::vector<std::size_t> chain_;  // the number of the value from which each one's turnstile was continued first
   // For each value, whether what is known of it has the pips of the value before; whether its row has pips of its own.
   std::vector<char> follows_, is_own_;
   std::mutex handing_over_;
@@ -284,8 +295,7 @@ Sweep swept(const Family& family, std::span<const double> values, const SweepOpt
   const auto value_with = [&](double value, const KnownBip* bip) {
     return value_at(family, value, inner.tangle, true, bip);
   };
-  const std::vector<SweepValue> found =
-      SweepOfValues(family, values, options.tangle.bip_near.has_value(), done, value_with, options.on_row).run();
+  const std::vector<SweepValue> found = SweepOfValues(family, values, done, value_with, options.on_row).run();
   for (const SweepValue& value : found) result.rows.push_back(value.row);
   for (std::size_t k = 0; k + 1 < result.rows.size(); ++k) {
     const SweepRow &first = result.rows[k], &last = result.rows[k + 1];

@@ -6,10 +6,11 @@
 
 namespace lober::detail {
 
-std::optional<KnownTurnstile> continued_to(const Family& family, double value, const KnownTurnstile& from) {
+std::optional<KnownTurnstile> continued_to(const Family& family, double value, const KnownTurnstile& from,
+                                           double step) {
   try {
     const FamilyMember member = family(value);
-    return continued_turnstile(*member.map, member.connection, from);
+    return continued_turnstile(*member.map, member.connection, from, step);
   } catch (const Cancelled&) {
     throw;
   } catch (const std::exception&) {  // who then works it out from nothing learns why

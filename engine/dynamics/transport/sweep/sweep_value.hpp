@@ -14,9 +14,9 @@ struct SweepValue {
   std::optional<KnownTurnstile> known;
 };
 
-/// The turnstile of a value from that of one nearby; nothing where it is not found, or the family has no such member.
-/// Throws Cancelled.
-[[nodiscard]] std::optional<KnownTurnstile> continued_to(const Family& family, double value,
-                                                         const KnownTurnstile& from);
+/// The turnstile of a value from that of one nearby, which is `step` before it; nothing where it is not found, or the
+/// family has no such member. Throws Cancelled.
+[[nodiscard]] std::optional<KnownTurnstile> continued_to(const Family& family, double value, const KnownTurnstile& from,
+                                                         double step);
 
 }  // namespace lober::detail

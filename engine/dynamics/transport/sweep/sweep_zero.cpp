@@ -90,7 +90,7 @@ class Refinement {
       return std::fabs(a.first - value) < std::fabs(b.first - value);
     });
     if (nearest == known_.end()) return from_scratch(value);
-    std::optional<KnownTurnstile> found = continued_to(family_, value, nearest->second);
+    std::optional<KnownTurnstile> found = continued_to(family_, value, nearest->second, value - nearest->first);
     const std::optional<double> difference = found ? found->difference() : std::nullopt;
     if (!difference) return from_scratch(value);
     ++zero_.evaluations;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 #include <tuple>
+#include <utility>
 
 #include "engine/base/quantities.hpp"
 #include "engine/base/text.hpp"
@@ -14,6 +15,7 @@
 #include "engine/dynamics/maps/plane.hpp"
 #include "engine/dynamics/transport/tangles/point_errors.hpp"
 #include "engine/dynamics/transport/tangles/tangle_box.hpp"
+#include "kernels/elementary.hpp"
 #include "lober/base/error.hpp"
 
 namespace lober::detail {
@@ -52,6 +54,7 @@ TangleGrowth::TangleGrowth(const PlanarMap& map, const Connection& connection, c
     u_.local = known->local_u;
     s_.local = known->local_s;
     known_bip_ = {time_of(u_.local, known->u), time_of(s_.local, known->s)};
+    ends_at_bip_ = true;
     bip_near_.reset();
   } else {
     std::tie(u_.local, s_.local) = local_manifolds(map, connection);
@@ -87,7 +90,10 @@ TangleGrowth::TangleGrowth(const PlanarMap& map, const Connection& connection, c
   for (;;) {
     begin(tolerance);
     std::string trouble;
-    if (!find_crossing()) throw DataError(limit_ + of_saddles());
+    if (!find_crossing()) {
+      if (ends_too_early()) continue;
+      throw DataError(limit_ + of_saddles());
+    }
     if (box_is_too_small()) continue;
     // Before anything is made of crossings that may be none.
     if (const std::optional<double> wanted = tolerance_for_splitting(); wanted && *wanted < tolerance_) {
@@ -95,6 +101,7 @@ TangleGrowth::TangleGrowth(const PlanarMap& map, const Connection& connection, c
       continue;
     }
     if (!find_turnstile(trouble)) {
+      if (ends_too_early()) continue;
       if (trouble.empty()) throw DataError(limit_ + by_action() + of_saddles());
     } else {
       if (box_is_too_small()) continue;
@@ -154,11 +161,21 @@ void TangleGrowth::begin(double tolerance) {
       return !out_of_work_ && options_.progress(std::string());
     };
     side->growth.emplace(map_, side->local, side->branch, side->options);
+    if (ends_at_bip_) {
+      const double enough = side == &u_ ? known_bip_->u : known_bip_->s + 1;
+      const double more = elementary::log(spare) / elementary::log(side->local.image().factor);
+      side->growth->end_at(enough + std::max(2 * beyond, more));
+    }
     side->compressed = side->simple = side->folds_seen = 0;
   }
   for (Side* const side : {&u_, &s_}) {
     if (!grow(*side, 0)) throw DataError(limit_ + of_saddles());
   }
+}
+
+// Whether more may be found where manifolds do not end at the known bip; from then on they do not.
+bool TangleGrowth::ends_too_early() {
+  return std::exchange(ends_at_bip_, false);
 }
 
 // Guesses may lead to other saddles than those that were meant.

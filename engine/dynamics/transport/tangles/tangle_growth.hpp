@@ -37,7 +37,8 @@ struct KnownBip {
 
 class TangleGrowth {
  public:
-  /// Finds the turnstile; without a search, if the bip is known. The map must outlive it. Throws as grow_tangle.
+  /// Finds the turnstile; without a search, if the bip is known, and then no more of the manifolds than it takes: such
+  /// a tangle cannot be grown on. The map must outlive it. Throws as grow_tangle.
   TangleGrowth(const PlanarMap& map, const Connection& connection, const ManifoldTangleOptions& options,
                const KnownBip* known = nullptr);
 
@@ -73,6 +74,8 @@ class TangleGrowth {
   };
   // Pips are followed farther than to where they are by this, in images.
   static constexpr double beyond = 0.02;
+  // Manifolds that end at a known bip are longer than it takes by this factor, and by twice `beyond` at least.
+  static constexpr double spare = 1.1;
   // Polygons are finer than the splitting by this factor.
   static constexpr double finer_than_splitting = 30;
 
@@ -82,6 +85,7 @@ class TangleGrowth {
   }
 
   void begin(double tolerance);
+  [[nodiscard]] bool ends_too_early();
   [[nodiscard]] std::uint64_t images() const;
   [[nodiscard]] double images_left() const;
   bool grow(Side& side, double end);
@@ -132,6 +136,7 @@ class TangleGrowth {
   ManifoldTangleOptions options_;
   std::optional<Point> bip_near_, near_;
   std::optional<Time> known_bip_;
+  bool ends_at_bip_ = false;    // manifolds do, as the known bip says
   std::vector<Point> closure_;  // closure of the connection
   std::string caution_;         // likewise
   Side u_, s_;

@@ -160,19 +160,19 @@ TEST(Sweep, FollowsTheSaddle) {
   }
 }
 
-// Values are worked out from nothing at 0, 8, ...: there too a turnstile that is not that of the value before is not
-// said to be, wherever the jump is.
+// Values are worked out from nothing at 0, 32, ... and where none can be continued: there too a turnstile that is not
+// that of the value before is not said to be, wherever the jump is.
 TEST(Sweep, DoesNotFollowAcrossAJump) {
-  for (const int jump : {3, 8, 9}) {
+  for (const int jump : {3, 8, 9, 32}) {
     const Family family = [&](double value) -> FamilyMember {
       const System system = make_system(value < jump - 0.5 ? "duffing" : "henon");
       return {system.map, *system.connection, system.lattice};
     };
     std::vector<double> values;
-    for (int k = 0; k < 11; ++k) values.push_back(k);
+    for (int k = 0; k < (jump < 11 ? 11 : 34); ++k) values.push_back(k);
     const Sweep found = sweep(family, values);
     ASSERT_EQ(found.failures(), 0U);
-    for (int k = 0; k < 11; ++k) {
+    for (int k = 0; k < static_cast<int>(values.size()); ++k) {
       EXPECT_EQ(found.rows[static_cast<std::size_t>(k)].follows, k != 0 && k != jump) << k << " of " << jump;
     }
   }
@@ -192,6 +192,7 @@ class CountingMap final : public PlanarMap {
     return map_->iterate_with_derivative(point, iterates, derivative);
   }
   std::optional<long double> action(Point from, Point to) const override { return map_->action(from, to); }
+  double action_accuracy() const override { return map_->action_accuracy(); }
 
  private:
   void add(std::size_t points, int iterates) const { count_ += points * static_cast<std::size_t>(std::abs(iterates)); }
@@ -200,17 +201,35 @@ class CountingMap final : public PlanarMap {
 };
 
 TEST(Sweep, TakesAThirdOfTheEvaluationsOfSingleValues) {
-  std::atomic<std::size_t> count{0};
-  const Family family = [&](double k) -> FamilyMember {
-    const System system = make_system("standard", {{"K", k}});
-    return {std::make_shared<CountingMap>(system.map, count), *system.connection, system.lattice};
+  struct Scene {
+    const char *system, *parameter;
+    double first, step;
+    int values;
   };
-  std::vector<double> values;
-  for (int k = 0; k < 24; ++k) values.push_back(0.9 + 0.02 * k);
-  EXPECT_EQ(sweep(family, values).failures(), 0U);
-  const std::size_t together = count.exchange(0);
-  for (const double value : values) EXPECT_EQ(sweep(family, std::array{value}).failures(), 0U);
-  EXPECT_LT(3 * together, count) << together;
+  for (const auto& [name, parameter, first, step, size] :
+       {Scene{"standard", "K", 0.9, 0.02, 24}, Scene{"henon", "k", 0.3, 0.02, 16},
+        Scene{"duffing", "eps", 0.1, 0.01, 21}, Scene{"double-gyre", "eps", 0.1, 0.01, 11},
+        Scene{"ovp", "gamma", 1.3, 0.0125, 17}}) {
+    std::atomic<std::size_t> count{0};
+    const Family family = [&](double value) -> FamilyMember {
+      const System system = make_system(name, {{parameter, value}});
+      return {std::make_shared<CountingMap>(system.map, count), *system.connection, system.lattice};
+    };
+    std::vector<double> values;
+    for (int k = 0; k < size; ++k) values.push_back(first + step * k);
+    const Sweep swept = sweep(family, values);
+    EXPECT_EQ(swept.failures(), 0U);
+    const std::size_t together = count.exchange(0);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const Sweep single = sweep(family, std::array{values[k]});
+      ASSERT_EQ(single.failures(), 0U);
+      const SweepRow &row = swept.rows[k], &own = single.rows[0];
+      EXPECT_NEAR(row.lobe_area12.value, own.lobe_area12.value, row.lobe_area12.error + own.lobe_area12.error)
+          << name << ' ' << values[k];
+      EXPECT_NEAR(std::fabs(row.difference), std::fabs(own.difference), 1e-9 * std::fabs(own.difference)) << name;
+    }
+    EXPECT_LT(3 * together, count) << name << ' ' << together;
+  }
 }
 
 // Without area preservation there are lobes and no flux.

@@ -1,0 +1,48 @@
+// Which segments of a polyline have to be looked at one by one, and why.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "kernels/box.hpp"
+#include "kernels/point.hpp"
+
+namespace lober::detail {
+
+/// Segments in a row are handed over in no more than this number at a time.
+inline constexpr std::size_t max_flagged = 256;
+
+/// Bits of a segment that a polyline through points of a smooth curve may have to cut. Segments without any are most.
+inline constexpr std::int64_t unknown_segment = 1;  ///< both ends are corners: nothing shows how the curve bends there
+inline constexpr std::int64_t uneven_segment = 2;   ///< its length per parameter is not that of its neighbours
+inline constexpr std::int64_t outside_segment = 4;  ///< an end is not in the box, or not finite
+inline constexpr std::int64_t coarse_segment = 8;   ///< requires more parts than `coarse`
+inline constexpr std::int64_t rough_segment = 16;  ///< requires more than `rough`, or is sharp and requires more than 1
+
+struct SegmentBounds {
+  Box box;
+  double visible;     ///< segments that are shorter are never uneven
+  double unevenness;  ///< ratio of lengths per parameter from which neighbours are uneven
+  double coarse;      ///< parts
+  double rough;       ///< parts
+  double sharp;       ///< curvature times length, radians
+};
+
+/// `count` segments, at most max_flagged, between points[0] and points[count]. A segment has neighbours: lengths[0] and
+/// gaps[0] are those before the first segment, and lengths[count + 1] and gaps[count + 1] behind the last one.
+struct SegmentRow {
+  const Point* points;
+  const double* lengths;
+  const double* gaps;   ///< differences of the parameter
+  const double* bends;  ///< curvatures at the points; negative at corners
+  const double* parts;  ///< required ones
+  std::size_t count;
+};
+
+/// Sets flags[k] for each segment, and returns the bits that any of them has.
+std::int64_t flag_segments(const SegmentRow& row, const SegmentBounds& bounds, std::int64_t* flags);
+
+/// Lengths of `count` segments, at most max_flagged, and whether both ends of each are in the box.
+bool lengths_in_box(const Point* points, std::size_t count, const Box& box, double* lengths);
+
+}  // namespace lober::detail

@@ -1,0 +1,146 @@
+#include "kernels/segment_flags.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "kernels/cpu.hpp"
+#include "kernels/graded.hpp"
+
+namespace lober::detail {
+namespace {
+
+constexpr InstructionSet sets[] = {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512};
+
+struct Row {
+  std::vector<Point> points;
+  std::vector<double> lengths, gaps, bends, parts;
+};
+
+// Numbers of every order, corners, points outside of the box and such without coordinates.
+Row random_row(std::size_t count, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  Row row;
+  for (std::size_t k = 0; k <= count; ++k) row.points.push_back({3 * unit(random) - 1, 3 * unit(random) - 1});
+  row.points[random() % (count + 1)].x = std::numeric_limits<double>::quiet_NaN();
+  row.points[random() % (count + 1)].y = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < count + 2; ++k) {
+    row.lengths.push_back(random() % 9 == 0 ? 0 : std::exp(3 * unit(random) - 3));
+    row.gaps.push_back(std::exp(unit(random)));
+  }
+  for (std::size_t k = 0; k <= count; ++k) row.bends.push_back(random() % 4 == 0 ? -1 : 5 * unit(random));
+  for (std::size_t k = 0; k < count; ++k) row.parts.push_back(6 * unit(random));
+  return row;
+}
+
+TEST(SegmentFlags, AreThoseOfTheirDefinition) {
+  const SegmentBounds bounds{Box::of({-0.5, -0.25}, {1.5, 1.75}), 0.1, 4, 0.97, 5, 0.7};
+  std::mt19937_64 random(5);
+  std::size_t seen[32] = {};
+  for (const InstructionSet set : sets) {
+    limit_instruction_set(set);
+    for (const std::size_t count : {1U, 2U, 7U, 8U, 9U, 100U, 255U, 256U}) {
+      const Row row = random_row(count, random);
+      std::vector<std::int64_t> flags(count);
+      const std::int64_t any = flag_segments(
+          {row.points.data(), row.lengths.data(), row.gaps.data(), row.bends.data(), row.parts.data(), count}, bounds,
+          flags.data());
+      const auto inside = [&](std::size_t k) {
+        const Point p = row.points[k];
+        return p.x >= -0.5 && p.x <= 1.5 && p.y >= -0.25 && p.y <= 1.75;
+      };
+      const auto uneven = [&](std::size_t k) {
+        const double a = row.lengths[k] / row.gaps[k], b = row.lengths[k + 1] / row.gaps[k + 1];
+        const bool is_seen = std::max(row.lengths[k], row.lengths[k + 1]) >= 0.1;
+        return row.bends[k] >= 0 && is_seen && std::max(a, b) > 4 * std::min(a, b);
+      };
+      std::int64_t all = 0;
+      for (std::size_t k = 0; k < count; ++k) {
+        const double bend = std::max(row.bends[k], row.bends[k + 1]), turn = bend * row.lengths[k + 1];
+        std::int64_t expected = 0;
+        if (bend < 0) expected |= unknown_segment;
+        if (uneven(k) || uneven(k + 1)) expected |= uneven_segment;
+        if (!inside(k) || !inside(k + 1)) expected |= outside_segment;
+        if (row.parts[k] > 0.97) expected |= coarse_segment;
+        if (row.parts[k] > 5 || (turn > 0.7 && row.parts[k] > 1)) expected |= rough_segment;
+        ASSERT_EQ(flags[k], expected) << count << ' ' << k;
+        all |= expected;
+        ++seen[expected];
+      }
+      EXPECT_EQ(any, all);
+    }
+  }
+  for (const std::int64_t flag : {unknown_segment, uneven_segment, outside_segment, coarse_segment, rough_segment}) {
+    std::size_t with = 0;
+    for (std::int64_t k = 0; k < 32; ++k) with += (k & flag) != 0 ? seen[k] : std::size_t{0};
+    EXPECT_GT(with, 50U) << flag;
+  }
+  limit_instruction_set(InstructionSet::avx512);
+}
+
+TEST(SegmentFlags, LengthsInABox) {
+  for (const InstructionSet set : sets) {
+    limit_instruction_set(set);
+    std::vector<Point> points(max_flagged + 1);
+    for (std::size_t k = 0; k < points.size(); ++k)
+      points[k] = {std::sin(static_cast<double>(k)), 1 / (1 + static_cast<double>(k))};
+    std::vector<double> lengths(max_flagged);
+    EXPECT_TRUE(lengths_in_box(points.data(), max_flagged, Box::of({-1, 0}, {1, 1}), lengths.data()));
+    for (std::size_t k = 0; k < max_flagged; ++k) ASSERT_EQ(lengths[k], distance(points[k], points[k + 1]));
+    points.back().y = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(lengths_in_box(points.data(), max_flagged, Box::of({-1, 0}, {1, 1}), lengths.data()));
+    EXPECT_TRUE(lengths_in_box(points.data(), max_flagged - 1, Box::of({-1, 0}, {1, 1}), lengths.data()));
+    EXPECT_FALSE(lengths_in_box(points.data(), 20, Box::of({-1, 0}, {1, 0.5}), lengths.data()));
+  }
+  limit_instruction_set(InstructionSet::avx512);
+}
+
+// One point at a time, from the integral of a density that varies linearly.
+double graded_point(const GradedRow& row, std::size_t k, double number) {
+  const double gap = row.parameters[k + 1] - row.parameters[k], own = 2 * row.required[k] / (2 * gap);
+  const auto at_end = [&](double around) { return around < 0 ? own : std::clamp(around, own / 4, own * 4); };
+  const double a = at_end(row.around[k]), b = at_end(row.around[k + 1]);
+  const double part = (number - row.index[k]) / (row.index[k + 1] - row.index[k]);
+  const double t = own > 0 ? part * (a + b) / (a + std::sqrt(a * a + (b - a) * (b + a) * part)) : part;
+  return row.parameters[k] + gap * t;
+}
+
+TEST(Graded, PointsHaveTheBitsOfOneByOne) {
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (const InstructionSet set : sets) {
+    limit_instruction_set(set);
+    for (const std::size_t count : {1U, 3U, 256U}) {
+      std::vector<double> parameters{1}, index{2.5}, required, around{-1};
+      for (std::size_t k = 0; k < count; ++k) {
+        parameters.push_back(parameters.back() + 0.1 + unit(random));
+        required.push_back(k % 5 == 2 ? 0 : 9 * unit(random));
+        index.push_back(k % 7 == 3 ? std::ceil(index.back() + 1) : index.back() + 12 * unit(random));
+        around.push_back(k % 3 == 0 ? -1 : 8 * unit(random));
+      }
+      const GradedRow row{parameters.data(), index.data(), required.data(), around.data(), count};
+      const auto end = static_cast<std::size_t>(std::ceil(index.back()));
+      std::vector<double> places(end + 8, -7);
+      place_graded(row, places.data(), end);
+      std::size_t k = 0;
+      for (std::size_t n = 3; n < end; ++n) {
+        while (!(static_cast<double>(n) < index[k + 1])) ++k;
+        ASSERT_EQ(places[n], graded_point(row, k, static_cast<double>(n))) << count << ' ' << n;
+        ASSERT_GE(places[n], places[n - (n > 3 ? 1 : 0)]);
+      }
+      for (std::size_t n = 0; n < places.size(); ++n) {
+        if (n < 3 || n >= end) {
+          ASSERT_EQ(places[n], -7) << n;
+        }
+      }
+    }
+  }
+  limit_instruction_set(InstructionSet::avx512);
+}
+
+}  // namespace
+}  // namespace lober::detail
