@@ -94,6 +94,12 @@ compiler=$("$(sed -n 's/^CMAKE_CXX_COMPILER:[^=]*=//p' build/CMakeCache.txt)" --
     echo '```'
     echo
   done
+  echo '### Sweeps'
+  echo
+  echo 'Evaluations of the map for each value of `transport --sweep`, one with a derivative counted three times, and of the values by themselves.'
+  echo
+  build/bin/bench_sweep
+  echo
   echo '### Batches'
   echo
   echo 'Whole runs of `lober batch run`, store included, the best of several. One thread is kept to one core, which the thread that stores shares.'

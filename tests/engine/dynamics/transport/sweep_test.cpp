@@ -206,17 +206,16 @@ TEST(Sweep, TakesAThirdOfTheEvaluationsOfSingleValues) {
     double first, step;
     int values;
   };
-  for (const auto& [name, parameter, first, step, size] :
-       {Scene{"standard", "K", 0.9, 0.02, 24}, Scene{"henon", "k", 0.3, 0.02, 16},
-        Scene{"duffing", "eps", 0.1, 0.01, 21}, Scene{"double-gyre", "eps", 0.1, 0.01, 11},
-        Scene{"ovp", "gamma", 1.3, 0.0125, 17}}) {
+  for (const Scene& scene : {Scene{"standard", "K", 0.9, 0.02, 24}, Scene{"henon", "k", 0.3, 0.02, 16},
+                             Scene{"duffing", "eps", 0.1, 0.01, 21}, Scene{"double-gyre", "eps", 0.1, 0.01, 11},
+                             Scene{"ovp", "gamma", 1.3, 0.0125, 17}}) {
     std::atomic<std::size_t> count{0};
     const Family family = [&](double value) -> FamilyMember {
-      const System system = make_system(name, {{parameter, value}});
+      const System system = make_system(scene.system, {{scene.parameter, value}});
       return {std::make_shared<CountingMap>(system.map, count), *system.connection, system.lattice};
     };
     std::vector<double> values;
-    for (int k = 0; k < size; ++k) values.push_back(first + step * k);
+    for (int k = 0; k < scene.values; ++k) values.push_back(scene.first + scene.step * k);
     const Sweep swept = sweep(family, values);
     EXPECT_EQ(swept.failures(), 0U);
     const std::size_t together = count.exchange(0);
@@ -225,10 +224,11 @@ TEST(Sweep, TakesAThirdOfTheEvaluationsOfSingleValues) {
       ASSERT_EQ(single.failures(), 0U);
       const SweepRow &row = swept.rows[k], &own = single.rows[0];
       EXPECT_NEAR(row.lobe_area12.value, own.lobe_area12.value, row.lobe_area12.error + own.lobe_area12.error)
-          << name << ' ' << values[k];
-      EXPECT_NEAR(std::fabs(row.difference), std::fabs(own.difference), 1e-9 * std::fabs(own.difference)) << name;
+          << scene.system << ' ' << values[k];
+      EXPECT_NEAR(std::fabs(row.difference), std::fabs(own.difference), 1e-9 * std::fabs(own.difference))
+          << scene.system;
     }
-    EXPECT_LT(3 * together, count) << name << ' ' << together;
+    EXPECT_LT(3 * together, count) << scene.system << ' ' << together;
   }
 }
 
