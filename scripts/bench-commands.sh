@@ -42,7 +42,8 @@ earlier_spelling() {
 seconds() {
   local program=$1 threads=$2 begin=$EPOCHREALTIME status=0 end
   shift 2
-  timeout --signal=KILL "$limit" "$program" "$@" --threads "$threads" >"$scratch/out" 2>"$scratch/err" || status=$?
+  [ "$1" = --version ] || set -- "$@" --threads "$threads"  # which it refuses
+  timeout --signal=KILL "$limit" "$program" "$@" >"$scratch/out" 2>"$scratch/err" || status=$?
   end=$EPOCHREALTIME
   [ "$status" -ne 137 ] || { echo ">$limit"; return; }
   if [ "$status" -eq 2 ]; then  # an option that it does not know, or did not then
