@@ -1,5 +1,4 @@
 // The functions of kernels that have a copy for each instruction set: each calls the copy that runs.
-#include <algorithm>
 #include <array>
 
 #include "kernels/kernel_table.hpp"

@@ -26,37 +26,6 @@ class Reading {
   Statement& statement_;
 };
 
-// The columns of a row that describe its job.
-class Labels {
- public:
-  /// `plan` may be null: the labels of no job.
-  Labels(const Plan* plan, std::uint32_t job) : job_(job) {
-    if (plan == nullptr) return;
-    planned_ = &plan->jobs[job];
-    first_ = plan->name(planned_->first);
-    second_ = plan->name(planned_->second);
-  }
-  /// Binds four parameters. The statement has to run before the labels go.
-  void bind(Statement& statement, int index) const {
-    if (planned_ == nullptr) {
-      for (int k = 0; k < 4; ++k) statement.bind_null(index + k);
-      return;
-    }
-    statement.bind(index, std::int64_t{job_}).bind(index + 1, std::int64_t{planned_->group});
-    bind_name(statement, index + 2, planned_->first, first_);
-    bind_name(statement, index + 3, planned_->second, second_);
-  }
-
- private:
-  static void bind_name(Statement& statement, int index, CurveId curve, const std::string& name) {
-    curve != no_curve ? statement.bind(index, std::string_view(name)) : statement.bind_null(index);
-  }
-
-  std::uint32_t job_;
-  const Job* planned_ = nullptr;
-  std::string first_, second_;
-};
-
 }  // namespace
 
 Statement ResultTable::statement(const std::string& before, const std::string& behind) const {
@@ -124,8 +93,16 @@ bool ResultTable::remove_failure(std::int64_t row) const {
 
 void ResultTable::label(std::int64_t row, const Plan* plan, std::uint32_t job) const {
   Statement change = statement("UPDATE ", " SET job = ?2, \"group\" = ?3, curve1 = ?4, curve2 = ?5 WHERE id = ?1");
-  const Labels labels(plan, job);
-  labels.bind(change.bind(1, row), 2);
+  change.bind(1, row);  // the others are NULL unless bound
+  std::string first, second;
+  if (plan != nullptr) {
+    const Job& planned = plan->jobs[job];
+    first = plan->name(planned.first);
+    second = plan->name(planned.second);
+    change.bind(2, std::int64_t{job}).bind(3, std::int64_t{planned.group});
+    if (planned.first != no_curve) change.bind(4, std::string_view(first));
+    if (planned.second != no_curve) change.bind(5, std::string_view(second));
+  }
   change.run();
 }
 

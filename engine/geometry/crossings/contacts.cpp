@@ -6,6 +6,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
+#include "engine/geometry/crossings/common_runs.hpp"
 #include "engine/geometry/crossings/pair_contacts.hpp"
 #include "engine/geometry/crossings/sort_by_segment.hpp"
 #include "engine/geometry/curve/countable.hpp"
@@ -14,13 +15,6 @@
 
 namespace lober::detail {
 namespace {
-
-// A run of common vertices: vertices first .. last of C1 are vertices of C2 one by one.
-struct Run {
-  std::uint32_t first;
-  std::uint32_t last;
-  int direction;  // direction of C2
-};
 
 // A contact before its parameters are known.
 struct Hit : ContactKind {
@@ -36,9 +30,7 @@ Hit at_vertex(std::uint32_t i, std::uint32_t j, bool of1, bool of2) {
 struct Block {
   Buffer<PairVerdict> verdicts;
   Buffer<Hit> hits;
-  std::vector<Run> runs;
-  std::uint32_t covered_begin = 0;  // segments of C1 inside a known run
-  std::uint32_t covered_end = 0;
+  CommonRuns runs;
   ContactCounts counts;
 };
 
@@ -62,14 +54,14 @@ class ContactFinder final : public PairConsumer {
       const auto [i, j] = pairs[k];
       const PairVerdict verdict = block->verdicts[k];
       if (verdict == PairVerdict::apart) continue;
-      if (i >= block->covered_begin && i < block->covered_end) continue;
+      if (block->runs.covers(i)) continue;
       if (verdict == PairVerdict::uncertain) {
         classify(i, j, end, *block);
       } else {
         block->hits.push_back(crossing(i, j, verdict == PairVerdict::crosses_to_left ? 1 : -1));
       }
     }
-    return block->covered_end;
+    return block->runs.covered_end();
   }
 
   void finish(std::uint32_t number) override {
@@ -116,64 +108,21 @@ class ContactFinder final : public PairConsumer {
     if (found.rho != 0) block.hits.push_back(crossing(i, j, found.rho));
     if (found.coincide) {
       block.hits.push_back(at_vertex(i, j, true, true));
-      follow_run(i, j, block_end, block);
+      const auto on = [](auto...) { return RunStep::on; };
+      if (const auto run = block.runs.follow(c1_, c2_, i, j, block_end, on)) {
+        block.hits.back().run = static_cast<std::int8_t>(run->direction);
+      }
     }
     if (found.start1_on) block.hits.push_back(at_vertex(i, j, true, false));
     if (found.start2_on) block.hits.push_back(at_vertex(i, j, false, true));
   }
 
-  // Vertex i of C1 is vertex j of C2: follows both as long as they have the same vertices, inside the block.
-  void follow_run(std::uint32_t i, std::uint32_t j, std::uint32_t block_end, Block& block) {
-    for (const int direction : {1, -1}) {
-      std::uint32_t last = i, other = j;
-      while (last < block_end) {
-        // A run that is known already (pairs may come in descending order) is taken over whole.
-        if (!block.runs.empty() && block.runs.back().first == last && block.runs.back().direction == direction) {
-          last = block.runs.back().last;
-          break;
-        }
-        const std::uint32_t next = last + 1 == c1_.points.size() ? 0 : last + 1;
-        const std::uint32_t next_other = step(c2_, other, direction);
-        if (next_other == no_vertex) break;
-        const Point here = c1_.points[next];
-        if (!(here == c2_.points[next_other]) || here == c1_.points[last]) break;
-        other = next_other;
-        ++last;
-      }
-      if (last == i) continue;
-      block.hits.back().run = static_cast<std::int8_t>(direction);
-      block.runs.push_back({i, last, direction});
-      block.covered_begin = i;
-      block.covered_end = last;
-      return;
-    }
-  }
-
-  static constexpr std::uint32_t no_vertex = 0xffffffff;
-  static std::uint32_t step(const CurveView& curve, std::uint32_t vertex, int direction) {
-    const auto last = static_cast<std::uint32_t>(curve.points.size() - 1);
-    if (direction > 0) return vertex < last ? vertex + 1 : (curve.closed ? 0 : no_vertex);
-    return vertex > 0 ? vertex - 1 : (curve.closed ? last : no_vertex);
-  }
-
   // Contacts inside a run that were found before the run was known.
   static void drop_inside_runs(Block& block) {
-    if (block.runs.empty()) return;
-    std::sort(block.runs.begin(), block.runs.end(), [](const Run& x, const Run& y) { return x.first < y.first; });
-    std::vector<Run> merged;
-    for (const Run& run : block.runs) {
-      if (!merged.empty() && run.first < merged.back().last) {
-        merged.back().last = std::max(merged.back().last, run.last);
-      } else {
-        merged.push_back(run);
-      }
-    }
-    for (const Run& run : merged) block.counts.shared_vertices += run.last - run.first;
-    std::erase_if(block.hits, [&](const Hit& hit) {
-      const auto after = std::upper_bound(merged.begin(), merged.end(), hit.segment1,
-                                          [](std::uint32_t value, const Run& run) { return value <= run.first; });
-      return after != merged.begin() && hit.segment1 < std::prev(after)->last;
-    });
+    block.runs.merge();
+    if (block.runs.runs().empty()) return;
+    for (const CommonRun& run : block.runs.runs()) block.counts.shared_vertices += run.last - run.first;
+    std::erase_if(block.hits, [&](const Hit& hit) { return block.runs.has_inside(hit.segment1); });
   }
 
   // Computes the parameters of all hits of the block. Returns whether all are proper crossings.

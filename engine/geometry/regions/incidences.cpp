@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/geometry/crossings/common_runs.hpp"
 #include "engine/geometry/crossings/pair_contacts.hpp"
 #include "engine/geometry/crossings/sort_by_segment.hpp"
 #include "kernels/pair_filter.hpp"
@@ -27,13 +28,6 @@ class MetSegments {
 
  private:
   std::vector<bool> met_;  // empty: none
-};
-
-// Vertices first .. last of C1 are vertices of C2 one by one.
-struct CommonRun {
-  std::uint32_t first;
-  std::uint32_t last;
-  int direction;  // +1 if C2 runs from first to last, else -1
 };
 
 constexpr std::int8_t right_to_left = 1, left_to_right = -1;
@@ -65,7 +59,7 @@ class IncidenceFinder final : public PairConsumer {
       const auto [i, j] = pairs[k];
       const PairVerdict verdict = block->verdicts[k];
       if (verdict == PairVerdict::apart) continue;
-      if (i >= block->covered_begin && i < block->covered_end) continue;
+      if (block->runs.covers(i)) continue;
       if (verdict == PairVerdict::uncertain) {
         classify(i, j, number, *block);
       } else {
@@ -73,7 +67,7 @@ class IncidenceFinder final : public PairConsumer {
             {i, j, verdict == PairVerdict::crosses_to_left ? right_to_left : left_to_right, false, false});
       }
     }
-    return block->covered_end;
+    return block->runs.covered_end();
   }
 
   void finish(std::uint32_t number) override {
@@ -114,9 +108,8 @@ class IncidenceFinder final : public PairConsumer {
     Buffer<Incidence> list;
     std::vector<std::uint32_t> spikes;
     std::vector<SegmentPair> together;  // first ends in common where both edge chains keep together
-    std::vector<CommonRun> runs;
-    std::uint32_t covered_begin = 0, covered_end = 0;  // segments of C1 inside a known run
-    std::uint64_t inside_runs = 0;                     // vertices, their ends excluded
+    CommonRuns runs;
+    std::uint64_t inside_runs = 0;  // vertices, their ends excluded
     PredicateCounts predicates;
     std::uint64_t exact_parameters = 0;
   };
@@ -155,55 +148,23 @@ class IncidenceFinder final : public PairConsumer {
   // Vertex i of C1 is vertex j of C2: follows both as long as they have the same vertices and meet nothing else, inside
   // the block and up to the next extreme vertex.
   void follow_run(std::uint32_t i, std::uint32_t j, std::uint32_t number, Block& block) {
-    const auto size1 = static_cast<std::uint32_t>(c1_.points.size());
-    const auto size2 = static_cast<std::uint32_t>(c2_.points.size());
-    const std::uint32_t end = std::min((number + 1) * block_segments, size1);
-    for (const int direction : {1, -1}) {
-      std::uint32_t last = i, other = j;
-      while (last < end) {
-        // A run that is known already (pairs may come in descending order) is taken over whole.
-        if (!block.runs.empty() && block.runs.back().first == last && block.runs.back().direction == direction) {
-          last = block.runs.back().last;
-          break;
-        }
-        const std::uint32_t next = last + 1 == size1 ? 0 : last + 1;
-        const std::uint32_t next_other =
-            direction > 0 ? (other + 1 == size2 ? 0 : other + 1) : (other == 0 ? size2 : other) - 1;
-        if (!(c1_.points[next] == c2_.points[next_other]) || c1_.points[next] == c1_.points[last]) break;
-        if (met_->has(last) || met_->has(begin2_ + other) || met_->has(begin2_ + next_other)) break;
-        other = next_other;
-        ++last;
-        if (is_extreme(next) || is_extreme(begin2_ + other)) break;
-      }
-      if (last == i) continue;
-      block.runs.push_back({i, last, direction});
-      block.covered_begin = i;
-      block.covered_end = last;
-      return;
-    }
+    const std::uint32_t end = std::min((number + 1) * block_segments, static_cast<std::uint32_t>(c1_.points.size()));
+    block.runs.follow(c1_, c2_, i, j, end,
+                      [&](std::uint32_t last, std::uint32_t other, std::uint32_t next, std::uint32_t next_other) {
+                        if (met_->has(last) || met_->has(begin2_ + other) || met_->has(begin2_ + next_other))
+                          return RunStep::not_there;
+                        return is_extreme(next) || is_extreme(begin2_ + next_other) ? RunStep::there_at_last
+                                                                                    : RunStep::on;
+                      });
   }
 
   // Counts the vertices inside runs, and leaves out what was found there before the run was known.
   static void drop_inside_runs(Block& block) {
-    if (block.runs.empty()) return;
-    std::sort(block.runs.begin(), block.runs.end(),
-              [](const CommonRun& x, const CommonRun& y) { return x.first < y.first; });
-    std::vector<CommonRun> merged;
-    for (const CommonRun& run : block.runs) {
-      if (!merged.empty() && run.first < merged.back().last) {
-        merged.back().last = std::max(merged.back().last, run.last);
-      } else {
-        merged.push_back(run);
-      }
-    }
-    for (const CommonRun& run : merged) block.inside_runs += run.last - run.first - 1;
-    const auto is_inside = [&](std::uint32_t segment) {
-      const auto after = std::upper_bound(merged.begin(), merged.end(), segment,
-                                          [](std::uint32_t value, const CommonRun& run) { return value <= run.first; });
-      return after != merged.begin() && segment < std::prev(after)->last;
-    };
-    std::erase_if(block.list, [&](const Incidence& incidence) { return is_inside(incidence.first); });
-    std::erase_if(block.together, [&](const SegmentPair& pair) { return is_inside(pair.first); });
+    block.runs.merge();
+    if (block.runs.runs().empty()) return;
+    for (const CommonRun& run : block.runs.runs()) block.inside_runs += run.last - run.first - 1;
+    std::erase_if(block.list, [&](const Incidence& incidence) { return block.runs.has_inside(incidence.first); });
+    std::erase_if(block.together, [&](const SegmentPair& pair) { return block.runs.has_inside(pair.first); });
     block.runs = {};
   }
 

@@ -198,13 +198,6 @@ class SweepOfValues {
     return bips;
   }
 
-  // The number of the pip that a turnstile has as the bip where its row is to have `bip`: the last one, where that is
-  // lost.
-  [[nodiscard]] static std::size_t pip_for(const KnownTurnstile& known, std::size_t bip) {
-    const std::size_t last = known.orbits.size() - 1;
-    return bip == 0 || bip >= last || known.is_lost(bip) ? last : bip;
-  }
-
   // The turnstile of value k from that of another one, in smaller steps where one is too large.
   [[nodiscard]] std::optional<KnownTurnstile> continued(std::size_t k, std::size_t from) const {
     constexpr int halvings = 4;
@@ -226,8 +219,8 @@ class SweepOfValues {
     const bool has_failed = !value.row.failure.empty();
     if (known_[k]) {
       const std::size_t last = known_[k]->orbits.size() - 1;
-      const bool is_there = bip == 0 || bip >= last || !known_[k]->is_lost(bip);
-      const KnownBip known = known_[k]->bip(pip_for(*known_[k], bip));
+      const bool is_last = bip == 0 || bip >= last, is_there = is_last || !known_[k]->is_lost(bip);
+      const KnownBip known = known_[k]->bip(is_last || !is_there ? last : bip);
       SweepValue made = value_at_(values_[k], &known);
       is_own_[k] = !made.known || !is_there;
       if (made.known) value = std::move(made);
