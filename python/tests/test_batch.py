@@ -23,6 +23,13 @@ def circle(centre: complex, points: int = 200) -> np.ndarray:
     return centre + np.exp(2j * np.pi * np.arange(points) / points)
 
 
+def flowers(count: int) -> dict[str, np.ndarray]:
+    """Two of these cross a thousand times: jobs enough for a run that takes long beside a tenth of a second, the
+    pause between two calls of its progress."""
+    turn = 2j * np.pi * np.arange(10000) / 10000
+    return {str(k): np.exp(turn) * (1 + 0.1 * np.cos((500 + k) * turn.imag)) for k in range(count)}
+
+
 @pytest.fixture
 def curves(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Four circles in a file, in the working folder."""
@@ -161,7 +168,7 @@ def test_odd_texts_are_written_as_toml(curves: Path) -> None:
 
 def test_progress_cancels_and_the_next_run_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
-    lober.write("curves.dat", {str(k): circle(0.01 * k, 3000) for k in range(260)})
+    lober.write("curves.dat", flowers(40))
     manifest = {"operation": "overlay", "curves": "curves.dat#*", "pairs": "all"}
     calls: list[str | None] = []
 
@@ -171,11 +178,11 @@ def test_progress_cancels_and_the_next_run_goes_on(tmp_path: Path, monkeypatch: 
 
     with pytest.raises(lober.Cancelled, match="run the manifest again"):
         lober.batch.run(manifest, "all.results", progress=stop)
-    assert len(calls) == 1 and "of 33670 jobs" in str(calls[0])
+    assert len(calls) == 1 and "of 780 jobs" in str(calls[0])
     done = lober.batch.open("all.results").jobs.done
-    assert done < 33670
+    assert done < 780
     store = lober.batch.run(manifest, "all.results")
-    assert store.report is not None and store.report.finished_before == done and store.jobs.done == 33670
+    assert store.report is not None and store.report.finished_before == done and store.jobs.done == 780
 
 
 def test_other_threads_run_meanwhile(curves: Path) -> None:
@@ -187,7 +194,7 @@ def test_other_threads_run_meanwhile(curves: Path) -> None:
             counts[0] += 1
             ended.wait(0.001)
 
-    lober.write("more.dat", {str(k): circle(0.01 * k, 3000) for k in range(120)})
+    lober.write("more.dat", flowers(30))
     other = threading.Thread(target=count)
     other.start()
     lober.batch.run({**OVERLAYS, "curves": "more.dat#*"})
@@ -197,7 +204,7 @@ def test_other_threads_run_meanwhile(curves: Path) -> None:
 
 
 def test_an_interrupt_ends_a_run_and_keeps_what_is_done(tmp_path: Path) -> None:
-    lober.write(tmp_path / "curves.dat", {str(k): circle(0.01 * k, 20000) for k in range(200)})
+    lober.write(tmp_path / "curves.dat", flowers(200))
     program = (
         "import lober, sys\n"
         "def say(fraction, text):\n    if not text.startswith('0 '): print('running', flush=True)\n"
