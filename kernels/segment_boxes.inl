@@ -123,6 +123,31 @@ inline std::uint32_t meeting_bits(const SegmentBoxes& boxes, double min_x, doubl
   return bits;
 }
 
+// The bits 0, 2, 4, ... of a number, side by side.
+inline std::uint32_t even_bits(std::uint64_t bits) {
+  bits &= 0x5555555555555555;
+  bits = (bits | bits >> 1) & 0x3333333333333333;
+  bits = (bits | bits >> 2) & 0x0f0f0f0f0f0f0f0f;
+  bits = (bits | bits >> 4) & 0x00ff00ff00ff00ff;
+  bits = (bits | bits >> 8) & 0x0000ffff0000ffff;
+  return static_cast<std::uint32_t>(bits | bits >> 16);
+}
+
+// Bit j is set where the box of segment j of the leaf meets the rectangle and is no point: runs of repeated vertices
+// would meet each other.
+inline std::uint32_t meeting_rectangle(const Point* points, double min_x, double max_x, double min_y, double max_y) {
+  const double* coordinates = &points[0].x;
+  const Lanes least = {min_x, min_y, min_x, min_y}, greatest = {max_x, max_y, max_x, max_y};
+  std::uint64_t meets = 0, moves = 0;  // of x and y in turns
+  for (std::size_t i = 0; i < 2 * leaf_size; i += lanes) {
+    const Lanes begin = load(coordinates + i), end = load(coordinates + i + 2);
+    const Lanes low = min(begin, end), high = max(begin, end);
+    meets |= static_cast<std::uint64_t>(mask_bits((low <= greatest) & (high >= least))) << i;
+    moves |= static_cast<std::uint64_t>(mask_bits(low < high)) << i;
+  }
+  return even_bits(meets & meets >> 1 & (moves | moves >> 1));
+}
+
 inline std::size_t find_meeting(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,
                                 std::uint32_t b_begin, SegmentPair* pairs) {
   // Often the boxes of two leaves meet and those of their parts do not.
@@ -138,12 +163,12 @@ inline std::size_t find_meeting(const SegmentBoxes& a, std::uint32_t a_begin, co
     min_y = a.group_min_y[g] < min_y ? a.group_min_y[g] : min_y;
     max_y = a.group_max_y[g] > max_y ? a.group_max_y[g] : max_y;
   }
+  std::uint32_t candidates = meeting_slab(a, b);
+  if (candidates != 0) candidates &= meeting_rectangle(b, min_x, max_x, min_y, max_y);
   std::size_t count = 0;
-  for (std::uint32_t candidates = meeting_slab(a, b); candidates != 0; candidates &= candidates - 1) {
+  for (; candidates != 0; candidates &= candidates - 1) {
     const auto j = static_cast<std::uint32_t>(__builtin_ctz(candidates));
     const Box box = Box::of(b[j], b[j + 1]);
-    if (is_point(box)) continue;  // runs of repeated vertices would meet each other
-    if (box.min_x() > max_x || box.max_x() < min_x || box.min_y() > max_y || box.max_y() < min_y) continue;
     std::uint32_t met = meeting_bits(a, box.min_x(), box.max_x(), box.min_y(), box.max_y());
     for (; met != 0; met &= met - 1) {
       pairs[count++] = {a_begin + static_cast<std::uint32_t>(__builtin_ctz(met)), b_begin + j};
