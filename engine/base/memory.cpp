@@ -135,28 +135,29 @@ LargeBlocks& large_blocks() {
 constexpr std::size_t alignment = 64, smallest = 64, classes = 8, max_kept_small = 64,
                       kept_bytes = std::size_t{64} << 10;
 constexpr std::size_t largest_small = smallest << (classes - 1);
-constexpr std::size_t kept_of(std::size_t size_class) {
-  return std::min(max_kept_small, kept_bytes / (smallest << size_class));
-}
 
 std::size_t class_of(std::size_t bytes) {
-  return static_cast<std::size_t>(std::bit_width((std::max(bytes, smallest) - 1) / smallest));
+  return static_cast<std::size_t>(std::bit_width((bytes - 1) / smallest));
 }
 
 // Without a constructor or destructor, so that an access is a plain one: a thread may free arrays while it starts and
-// while it ends.
+// while it ends. `room` is how many more are kept: none of a thread that has not begun to keep any, or has ended.
 struct SmallBlocks {
-  enum class State : std::uint8_t { untouched, in_use, gone } state;
-  std::array<std::uint8_t, classes> count;
+  std::array<std::uint8_t, classes> count, room;
+  bool begun;
   std::array<std::array<void*, max_kept_small>, classes> kept;
 };
 constinit thread_local SmallBlocks small_blocks{};
 
 // Frees what the thread keeps when it ends.
 struct SmallBlocksEnd {
-  SmallBlocksEnd() { small_blocks.state = SmallBlocks::State::in_use; }
+  SmallBlocksEnd() {
+    for (std::size_t c = 0; c < classes; ++c) {
+      small_blocks.room[c] = static_cast<std::uint8_t>(std::min(max_kept_small, kept_bytes / (smallest << c)));
+    }
+  }
   ~SmallBlocksEnd() {
-    small_blocks.state = SmallBlocks::State::gone;
+    small_blocks.room = {};
     for (std::size_t c = 0; c < classes; ++c) {
       for (std::size_t k = 0; k < small_blocks.count[c]; ++k) scalable_aligned_free(small_blocks.kept[c][k]);
       small_blocks.count[c] = 0;
@@ -166,12 +167,21 @@ struct SmallBlocksEnd {
   SmallBlocksEnd& operator=(const SmallBlocksEnd&) = delete;
 };
 
-bool may_keep() {
-  if (small_blocks.state == SmallBlocks::State::untouched) {
-    thread_local const SmallBlocksEnd end;
-    (void)end;
-  }
-  return small_blocks.state == SmallBlocks::State::in_use;
+bool kept(void* memory, std::size_t size_class) noexcept {
+  std::uint8_t& room = small_blocks.room[size_class];
+  if (room == 0) return false;
+  --room;
+  small_blocks.kept[size_class][small_blocks.count[size_class]++] = memory;
+  return true;
+}
+
+// Whether the thread begins to keep arrays now.
+bool begins_to_keep() noexcept {
+  if (small_blocks.begun) return false;
+  small_blocks.begun = true;
+  thread_local const SmallBlocksEnd end;
+  (void)end;
+  return true;
 }
 
 }  // namespace
@@ -180,8 +190,11 @@ void* allocate_bulk(std::size_t bytes) {
   if (bytes >= huge_page) return large_blocks().take(bytes);
   std::size_t whole = bytes;
   if (bytes <= largest_small) {
-    const std::size_t c = class_of(bytes);
-    if (small_blocks.count[c] > 0) return small_blocks.kept[c][--small_blocks.count[c]];
+    const std::size_t c = class_of(std::max(bytes, smallest));
+    if (small_blocks.count[c] > 0) {
+      ++small_blocks.room[c];
+      return small_blocks.kept[c][--small_blocks.count[c]];
+    }
     whole = smallest << c;
   }
   void* memory = scalable_aligned_malloc(whole, alignment);
@@ -191,13 +204,9 @@ void* allocate_bulk(std::size_t bytes) {
 
 void free_bulk(void* memory, std::size_t bytes) noexcept {
   if (bytes >= huge_page) return large_blocks().give(memory);
-  if (bytes <= largest_small && memory != nullptr && may_keep()) {
-    const std::size_t c = class_of(bytes);
-    std::uint8_t& count = small_blocks.count[c];
-    if (count < kept_of(c)) {
-      small_blocks.kept[c][count++] = memory;
-      return;
-    }
+  if (bytes <= largest_small && memory != nullptr) {
+    const std::size_t c = class_of(std::max(bytes, smallest));
+    if (kept(memory, c) || (begins_to_keep() && kept(memory, c))) return;
   }
   scalable_aligned_free(memory);
 }
