@@ -36,15 +36,15 @@ Store::Store(const std::string& path, bool create)
       file_(std::make_unique<StoreFile>(path, create)),
       database_(std::make_unique<Database>(path, create)) {
   file_->opened();  // before anything is written: whoever removes the file once it has a log finds it watched
-  check_format(create);
+  const bool made = check_format(create);
   for (const Operation& operation : all_operations()) tables_.emplace_back(*database_, operation);
   last_rows_.resize(tables_.size(), 0);
-  damaged_ = !has_store_schema(*database_);
+  damaged_ = !made && !has_store_schema(*database_);
   refresh();
 }
 
-// Makes a store of a file that is empty.
-void Store::check_format(bool create) {
+// Makes a store of a file that is empty, and returns whether it has.
+bool Store::check_format(bool create) {
   database_->execute("BEGIN");  // another process may create the tables right now: all that follows, or nothing
   const std::int64_t id = pragma(*database_, "PRAGMA application_id"),
                      found = pragma(*database_, "PRAGMA user_version");
@@ -60,15 +60,17 @@ void Store::check_format(bool create) {
   // large because each that is written is a system call or two; the log comes into the file after 4 MiB, as by default.
   if (fresh) database_->execute("PRAGMA synchronous = OFF; PRAGMA page_size = 16384");
   database_->use_write_ahead_log();
+  bool made = false;
   if (fresh) {
     Transaction transaction(*database_);  // a process killed in here leaves nothing or all
-    const bool still = pragma(*database_, "SELECT count(*) FROM sqlite_master") == 0;  // no other process was faster
-    if (still) database_->execute(store_schema().c_str());
+    made = pragma(*database_, "SELECT count(*) FROM sqlite_master") == 0;  // no other process was faster
+    if (made) database_->execute(store_schema().c_str());
     database_->execute(("PRAGMA application_id = " + std::to_string(application)).c_str());
     database_->execute(("PRAGMA user_version = " + std::to_string(store_format)).c_str());
     transaction.commit();
   }
   database_->execute("PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = 256");
+  return made;
 }
 
 // SQLite would go on writing into tables that do not hold together, and lose more.
@@ -183,6 +185,12 @@ InputDigests Store::digests() const {
 }
 
 void Store::refresh() {
+  // Changes when another connection has committed; asked for first, so that whatever comes meanwhile is read next time.
+  if (!version_) version_.emplace(*database_, "PRAGMA data_version");
+  const std::int64_t version = version_->step() ? version_->whole(0) : 0;
+  version_->reset();
+  if (version == known_version_) return;
+  known_version_ = version;
   for (std::uint32_t table = 0; table < tables_.size(); ++table) {
     try {
       read_known(table, false);

@@ -115,7 +115,7 @@ class Store {
  private:
   class NewResults;
   Store(const std::string& path, bool create);
-  void check_format(bool create);
+  bool check_format(bool create);
   void read_known(std::uint32_t table, bool backwards);
   void require_whole();
   void put_plan(const Plan& plan);
@@ -135,6 +135,8 @@ class Store {
   std::vector<ResultTable> tables_;      ///< in the order of all_operations
   std::vector<std::int64_t> last_rows_;  ///< last row of each table that was read
   StoredResults known_;
+  std::optional<Statement> version_;
+  std::int64_t known_version_ = -1;  ///< version of the file that `known_` has
   std::optional<Plan> plan_;  ///< plan of this run
   bool plan_is_new_ = false;  ///< rows may still bear the names of another one
   std::int64_t run_ = 0, plan_sum_ = 0;
