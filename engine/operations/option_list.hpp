@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "engine/operations/is_optional.hpp"
+#include "engine/operations/last_derived.hpp"
 #include "lober/operations.hpp"
 
 namespace lober::detail::table {
@@ -96,9 +97,12 @@ class OptionList {
   }
   [[nodiscard]] const std::vector<OptionSpec>& specs() const { return specs_; }
   [[nodiscard]] How how(const Options& options) const {
-    How made{};
-    for (const auto& set : setters_) set(made, options);
-    return made;
+    thread_local LastDerived<How> last;
+    return last.of(options, this, [&](const Options& given) {
+      How made{};
+      for (const auto& set : setters_) set(made, given);
+      return made;
+    });
   }
 
  private:
