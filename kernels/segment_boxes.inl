@@ -138,7 +138,7 @@ inline std::uint32_t even_bits(std::uint64_t bits) {
 inline std::uint32_t meeting_rectangle(const Point* points, double min_x, double max_x, double min_y, double max_y) {
   const double* coordinates = &points[0].x;
   const Lanes least = {min_x, min_y, min_x, min_y}, greatest = {max_x, max_y, max_x, max_y};
-  std::uint64_t meets = 0, moves = 0;  // of x and y in turns
+  std::uint64_t meets = 0, moves = 0;  // bits for x and y in turns
   for (std::size_t i = 0; i < 2 * leaf_size; i += lanes) {
     const Lanes begin = load(coordinates + i), end = load(coordinates + i + 2);
     const Lanes low = min(begin, end), high = max(begin, end);

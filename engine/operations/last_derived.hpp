@@ -1,4 +1,4 @@
-// What follows from options, kept for the next job that has the same ones (private to operations/).
+// The consequences of options, kept for the next job that has the same ones (private to operations/).
 //
 // A batch runs thousands of small jobs with the options of one group, and reading these by name took longer than to
 // order the crossings of two short curves.

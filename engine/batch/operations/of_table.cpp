@@ -96,7 +96,7 @@ void write_output(const JobCurves& curves, const Options& options, std::span<con
   write_npy(curves.outputs() != nullptr ? curves.outputs()->accept(name) : name, points);
 }
 
-// What options say of every job that has them.
+// The consequences of options for every job that has them.
 struct Chosen {
   Requirements known;  // curves meet these
   bool lists;          // whether they ask for the lists

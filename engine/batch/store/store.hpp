@@ -137,8 +137,8 @@ class Store {
   StoredResults known_;
   std::optional<Statement> version_;
   std::int64_t known_version_ = -1;  ///< version of the file that `known_` has
-  std::optional<Plan> plan_;  ///< plan of this run
-  bool plan_is_new_ = false;  ///< rows may still bear the names of another one
+  std::optional<Plan> plan_;         ///< plan of this run
+  bool plan_is_new_ = false;         ///< rows may still bear the names of another one
   std::int64_t run_ = 0, plan_sum_ = 0;
   bool damaged_ = false;
 };
