@@ -95,20 +95,40 @@ inline std::uint32_t meeting_slab(const SegmentBoxes& a, const Point* b) {
 }
 
 // Four of the boxes against a rectangle.
-inline unsigned meeting_four(const double* min_x, const double* max_x, const double* min_y, const double* max_y,
+inline LaneMask meeting_four(const double* min_x, const double* max_x, const double* min_y, const double* max_y,
                              Lanes left, Lanes right, Lanes bottom, Lanes top) {
-  return mask_bits((load(min_x) <= right) & (load(max_x) >= left) & (load(min_y) <= top) & (load(max_y) >= bottom));
+  return (load(min_x) <= right) & (load(max_x) >= left) & (load(min_y) <= top) & (load(max_y) >= bottom);
+}
+// Four of the groups, from the given one on.
+inline LaneMask meeting_groups_from(const SegmentBoxes& boxes, std::size_t g, Lanes left, Lanes right, Lanes bottom,
+                                    Lanes top) {
+  return meeting_four(boxes.group_min_x + g, boxes.group_max_x + g, boxes.group_min_y + g, boxes.group_max_y + g, left,
+                      right, bottom, top);
 }
 
 // Bit g is set where group g meets the rectangle.
 inline unsigned meeting_groups(const SegmentBoxes& boxes, Lanes left, Lanes right, Lanes bottom, Lanes top) {
   unsigned groups = 0;
   for (std::size_t g = 0; g < SegmentBoxes::groups; g += lanes) {
-    groups |= meeting_four(boxes.group_min_x + g, boxes.group_max_x + g, boxes.group_min_y + g, boxes.group_max_y + g,
-                           left, right, bottom, top)
-              << g;
+    groups |= mask_bits(meeting_groups_from(boxes, g, left, right, bottom, top)) << g;
   }
   return groups;
+}
+
+// The box of the groups that meet a rectangle; empty where there are none.
+inline void box_of_meeting_groups(const SegmentBoxes& boxes, const Box& rectangle, Box& box) {
+  const Lanes left = splat(rectangle.min_x()), right = splat(rectangle.max_x()), bottom = splat(rectangle.min_y()),
+              top = splat(rectangle.max_y()), none = splat(__builtin_inf());
+  Lanes rows[lanes] = {none, none, none, none};
+  for (std::size_t g = 0; g < SegmentBoxes::groups; g += lanes) {
+    const LaneMask met = meeting_groups_from(boxes, g, left, right, bottom, top);
+    rows[0] = min(rows[0], met ? load(boxes.group_min_x + g) : none);
+    rows[1] = min(rows[1], met ? load(boxes.group_min_y + g) : none);
+    rows[2] = min(rows[2], met ? -load(boxes.group_max_x + g) : none);
+    rows[3] = min(rows[3], met ? -load(boxes.group_max_y + g) : none);
+  }
+  transpose(rows);
+  store(box.lane, min(min(rows[0], rows[1]), min(rows[2], rows[3])));
 }
 
 // Bit i is set where box i meets the rectangle.
@@ -117,7 +137,8 @@ inline std::uint32_t meeting_bits(const SegmentBoxes& boxes, double min_x, doubl
   std::uint32_t bits = 0;
   for (unsigned groups = meeting_groups(boxes, left, right, bottom, top); groups != 0; groups &= groups - 1) {
     const auto i = static_cast<std::size_t>(__builtin_ctz(groups)) * lanes;
-    bits |= meeting_four(boxes.min_x + i, boxes.max_x + i, boxes.min_y + i, boxes.max_y + i, left, right, bottom, top)
+    bits |= mask_bits(meeting_four(boxes.min_x + i, boxes.max_x + i, boxes.min_y + i, boxes.max_y + i, left, right,
+                                   bottom, top))
             << i;
   }
   return bits;
@@ -133,16 +154,17 @@ inline std::uint32_t even_bits(std::uint64_t bits) {
   return static_cast<std::uint32_t>(bits | bits >> 16);
 }
 
-// Bit j is set where the box of segment j of the leaf meets the rectangle and is no point: runs of repeated vertices
+// Bit j is set where the box of segment j of the leaf meets the other box and is no point: runs of repeated vertices
 // would meet each other.
-inline std::uint32_t meeting_rectangle(const Point* points, double min_x, double max_x, double min_y, double max_y) {
+inline std::uint32_t meeting_box(const Point* points, const Box& other) {
   const double* coordinates = &points[0].x;
-  const Lanes least = {min_x, min_y, min_x, min_y}, greatest = {max_x, max_y, max_x, max_y};
+  const Lanes lower = {other.min_x(), other.min_y(), other.min_x(), other.min_y()},
+              upper = {other.max_x(), other.max_y(), other.max_x(), other.max_y()};
   std::uint64_t meets = 0, moves = 0;  // bits for x and y in turns
   for (std::size_t i = 0; i < 2 * leaf_size; i += lanes) {
     const Lanes begin = load(coordinates + i), end = load(coordinates + i + 2);
     const Lanes low = min(begin, end), high = max(begin, end);
-    meets |= static_cast<std::uint64_t>(mask_bits((low <= greatest) & (high >= least))) << i;
+    meets |= static_cast<std::uint64_t>(mask_bits((low <= upper) & (high >= lower))) << i;
     moves |= static_cast<std::uint64_t>(mask_bits(low < high)) << i;
   }
   return even_bits(meets & meets >> 1 & (moves | moves >> 1));
@@ -151,20 +173,11 @@ inline std::uint32_t meeting_rectangle(const Point* points, double min_x, double
 inline std::size_t find_meeting(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,
                                 std::uint32_t b_begin, SegmentPair* pairs) {
   // Often the boxes of two leaves meet and those of their parts do not.
-  unsigned groups =
-      meeting_groups(a, splat(b_box.min_x()), splat(b_box.max_x()), splat(b_box.min_y()), splat(b_box.max_y()));
-  if (groups == 0) return 0;
-  auto g = static_cast<std::size_t>(__builtin_ctz(groups));
-  double min_x = a.group_min_x[g], max_x = a.group_max_x[g], min_y = a.group_min_y[g], max_y = a.group_max_y[g];
-  for (groups &= groups - 1; groups != 0; groups &= groups - 1) {
-    g = static_cast<std::size_t>(__builtin_ctz(groups));
-    min_x = a.group_min_x[g] < min_x ? a.group_min_x[g] : min_x;
-    max_x = a.group_max_x[g] > max_x ? a.group_max_x[g] : max_x;
-    min_y = a.group_min_y[g] < min_y ? a.group_min_y[g] : min_y;
-    max_y = a.group_max_y[g] > max_y ? a.group_max_y[g] : max_y;
-  }
-  std::uint32_t candidates = meeting_slab(a, b);
-  if (candidates != 0) candidates &= meeting_rectangle(b, min_x, max_x, min_y, max_y);
+  Box near;
+  box_of_meeting_groups(a, b_box, near);
+  if (near.lane[0] == __builtin_inf()) return 0;
+  std::uint32_t candidates = meeting_box(b, near);
+  if (candidates != 0) candidates &= meeting_slab(a, b);
   std::size_t count = 0;
   for (; candidates != 0; candidates &= candidates - 1) {
     const auto j = static_cast<std::uint32_t>(__builtin_ctz(candidates));

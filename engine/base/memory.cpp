@@ -51,7 +51,7 @@ std::size_t total(const std::vector<Block>& blocks) {
 // Large blocks, those in use and those kept. There are a few dozen at a time.
 class LargeBlocks {
  public:
-  void* take(std::size_t bytes) {
+  [[gnu::noinline]] void* take(std::size_t bytes) {  // apart from small arrays, which save no registers then
     const std::lock_guard lock(mutex_);
     reserve_lists();
     // The smallest that is large enough; one more than half as large again is left for a larger array.
@@ -74,7 +74,7 @@ class LargeBlocks {
     return block.at;
   }
 
-  void give(void* memory) noexcept {
+  [[gnu::noinline]] void give(void* memory) noexcept {
     const std::lock_guard lock(mutex_);
     const auto block = std::find_if(used_.begin(), used_.end(), [&](const Block& used) { return used.at == memory; });
 #ifdef MADV_FREE
