@@ -3,17 +3,14 @@
 #pragma once
 
 #include "kernels/simd.hpp"
+#include "kernels/widest.hpp"
 
 namespace lober::detail {
 namespace {
 
-#ifdef __AVX512F__
-constexpr std::size_t value_lanes = 8;
-#else
-constexpr std::size_t value_lanes = lanes;
-#endif
-using Values = double __attribute__((vector_size(8 * value_lanes)));
-using ValueMask = std::int64_t __attribute__((vector_size(8 * value_lanes)));
+constexpr std::size_t value_lanes = WidestNumbers::elements;
+using Values = WidestNumbers::Vector;
+using ValueMask = WidestNumbers::Mask;
 
 LOBER_INLINE Values values_at(const double* from) {
   Values values;
@@ -27,7 +24,7 @@ LOBER_INLINE Values all_of(double value) {
   return value - Values{};
 }
 LOBER_INLINE Values magnitude_of(Values a) {
-  return __builtin_bit_cast(Values, __builtin_bit_cast(ValueMask, a) & 0x7fffffffffffffff);
+  return magnitude(WidestNumbers(a)).v;
 }
 LOBER_INLINE Values greater(Values a, Values b) {
   return a < b ? b : a;
@@ -36,11 +33,7 @@ LOBER_INLINE Values select(ValueMask mask, Values a, Values b) {
   return mask ? a : b;
 }
 LOBER_INLINE Values root_of(Values a) {
-#ifdef __AVX512F__
-  return _mm512_maskz_sqrt_pd(0xff, a);  // the form without a mask makes GCC 12 warn of its own header
-#else
-  return square_root(a);
-#endif
+  return square_root(WidestNumbers(a)).v;
 }
 // Bit k is that of lane k.
 LOBER_INLINE unsigned bits_of(ValueMask mask) {
