@@ -27,6 +27,8 @@ PlanRunner::PlanRunner(const Plan& plan, const std::string& manifest_path, std::
 
 QueueReport PlanRunner::run(std::span<const std::uint32_t> jobs, const std::function<void(Result&&)>& done) {
   const auto in_queue = [&](CurveId id) { return id == no_curve ? no_curve : ids_[id]; };
+  queue_.reserve(jobs.size());
+  submitted_.reserve(submitted_.size() + jobs.size());
   for (const std::uint32_t number : jobs) {
     const Job& job = plan_.jobs[number];
     queue_.submit({job.group, in_queue(job.first), in_queue(job.second)});

@@ -27,6 +27,7 @@ class Planner {
       const LocatedText& text = group.pairs == PairKind::list ? LocatedText{"", 1, "pairs"} : group.curves.front();
       manifest_.fail(text.line, text.key, "this gives no pair of curves");
     }
+    plan_.jobs.reserve(plan_.jobs.size() + group.options.size() * pairs.size());
     for (const Options& options : group.options) {
       const auto number = static_cast<std::uint32_t>(plan_.groups.size());
       plan_.groups.push_back({group.name, group.operation, options, nullptr, group.periods});
@@ -42,6 +43,7 @@ class Planner {
         pairs.emplace_back(no_curve, no_curve);
         break;
       case PairKind::all:
+        pairs.reserve(curves.size() * (curves.size() - 1) / 2);  // none where there are none
         for (std::size_t i = 0; i < curves.size(); ++i) {
           for (std::size_t k = i + 1; k < curves.size(); ++k) pairs.emplace_back(curves[i], curves[k]);
         }

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lober/base/buffer.hpp"
+
 namespace lober::detail {
 
 /// One number of a result. Counts are kept as doubles too: they are exact below 2^53.
@@ -28,7 +30,9 @@ inline constexpr std::uint32_t no_job = 0xffffffff;
 
 /// An operation fills in the values and the lists, the queue and the store the rest.
 struct Result {
-  std::vector<double> values = {};              ///< in the order of the operation's columns; none if the job failed
+  /// In the order of the operation's columns; none if the job failed. One thread makes them and another gives them
+  /// back, for which a heap of the C library grows and shrinks all the time.
+  Buffer<double> values = {};
   std::vector<std::vector<double>> lists = {};  ///< in the order of the operation's lists; none for all of them empty
   std::string error = {};                       ///< why the job failed; empty if it did not
   double seconds = 0;                           ///< the operation alone

@@ -49,7 +49,7 @@ struct Numbers {
   std::vector<std::uint32_t> counts;
   std::vector<double> numbers;
 
-  void add(const std::vector<double>& list) {
+  void add(std::span<const double> list) {
     counts.push_back(static_cast<std::uint32_t>(list.size()));
     numbers.insert(numbers.end(), list.begin(), list.end());
   }
@@ -61,7 +61,7 @@ class NumbersReader {
   explicit NumbersReader(const Json& from)
       : lists_{array_from<std::uint32_t>(from.at("counts")), array_from<double>(from.at("numbers"))} {}
 
-  [[nodiscard]] std::vector<double> next() {
+  [[nodiscard]] std::span<const double> next() {
     if (list_ == lists_.counts.size() || lists_.counts[list_] > lists_.numbers.size() - number_) {
       throw DataError("the results end too early");
     }
@@ -106,8 +106,12 @@ DecodedResults results_of(const Json& from) {
     result.job = jobs[k];
     result.key = keys[k];
     result.seconds = seconds[k];
-    result.values = values.next();
-    for (std::uint32_t list = 0; list < list_counts[k]; ++list) result.lists.push_back(lists.next());
+    const std::span<const double> own = values.next();
+    result.values.assign(own.begin(), own.end());
+    for (std::uint32_t list = 0; list < list_counts[k]; ++list) {
+      const std::span<const double> numbers = lists.next();
+      result.lists.emplace_back(numbers.begin(), numbers.end());
+    }
     const auto text = [&](std::size_t number) -> const std::string& {
       const std::uint32_t at = texts[texts_of_a_result * k + number];
       if (at >= decoded.texts.size()) throw DataError("a result has a text that is not there");

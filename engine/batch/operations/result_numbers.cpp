@@ -36,13 +36,13 @@ std::uint32_t ResultNumbers::object(std::uint32_t outer, const Field& field) {
   return number + 1;
 }
 
-std::vector<double> ResultNumbers::operator()(const void* whole) const {
+Buffer<double> ResultNumbers::operator()(const void* whole) const {
   thread_local std::vector<const void*> objects;
   objects.assign(1, whole);
   for (const auto& [outer, field] : objects_) {
     objects.push_back(objects[outer] != nullptr ? field->address(objects[outer]) : nullptr);
   }
-  std::vector<double> found(size_, std::numeric_limits<double>::quiet_NaN());
+  Buffer<double> found(size_, std::numeric_limits<double>::quiet_NaN());
   for (const auto& [object, index, field, bar] : numbers_) {
     if (objects[object] == nullptr) continue;
     const Measured number = field->number(objects[object]);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lober/base/buffer.hpp"
 #include "lober/operations.hpp"
 
 namespace lober::detail {
@@ -20,7 +21,7 @@ class ResultNumbers {
   const operations::Field& add(std::string_view path);
   [[nodiscard]] std::size_t size() const { return size_; }
   /// The numbers in the order in which their paths were added.
-  [[nodiscard]] std::vector<double> operator()(const void* whole) const;
+  [[nodiscard]] Buffer<double> operator()(const void* whole) const;
 
  private:
   struct Object {

@@ -68,6 +68,11 @@ std::uint32_t JobQueue::add(JobGroup group) {
   return static_cast<std::uint32_t>(groups_.size() - 1);
 }
 
+void JobQueue::reserve(std::size_t jobs) {
+  refuse_if_running("reserve");
+  jobs_.reserve(jobs_.size() + jobs);
+}
+
 std::size_t JobQueue::submit(Job job) {
   refuse_if_running("submit");
   const JobGroup& group = groups_.at(job.group);
@@ -241,6 +246,8 @@ QueueReport JobQueue::run(const std::function<void(Result&&)>& done) {
   const std::span<const Job> waiting = std::span(jobs_).subspan(first_waiting_);
   std::vector<ScheduledJob> scheduled;
   std::vector<std::size_t> unit_bytes;
+  scheduled.reserve(waiting.size());
+  run.costs.reserve(waiting.size());
   double total_cost = 0;
   std::size_t working = 0, reading = 0;  // what a thread takes at most, for a job and to read
   for (const Job& job : waiting) {

@@ -51,7 +51,7 @@ class JobQueue {
   JobQueue(const JobQueue&) = delete;
   JobQueue& operator=(const JobQueue&) = delete;
 
-  // While `run` works, `add`, `submit` and `run` throw UsageError, from `done` as from other threads.
+  // While `run` works, `add`, `submit`, `reserve` and `run` throw UsageError, from `done` as from other threads.
 
   /// A curve in memory. It is prepared when a job needs it and stays until the queue goes.
   CurveId add(Curve curve);
@@ -64,6 +64,8 @@ class JobQueue {
   /// Returns the number of the job, counted from 0. Throws UsageError when the operation takes another number of
   /// curves.
   std::size_t submit(Job job);
+  /// Makes room for that number of jobs more.
+  void reserve(std::size_t jobs);
 
   /// Runs all jobs that wait, what costs most first as far as memory allows (schedule.hpp), and hands each result to
   /// `done`: one call at a time (unless JobQueueOptions::concurrent), from any thread, in no particular order. A job

@@ -1,13 +1,14 @@
 // A map from keys of jobs (private to the store).
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <utility>
-#include <vector>
 
 #include "engine/batch/operations/result.hpp"
+#include "lober/base/buffer.hpp"
 
 namespace lober::detail {
 
@@ -39,9 +40,17 @@ class KeyMap {
     if (!slots_.empty()) __builtin_prefetch(&slots_[hash_of(key) & (slots_.size() - 1)]);
   }
 
+  /// Makes room for that number of entries beside those that it has.
+  void reserve(std::size_t more) {
+    entries_.reserve(entries_.size() + more);
+    std::size_t slots = std::max(slots_.size(), smallest);
+    while (slots < 2 * (entries_.size() + more + 1)) slots *= 2;
+    if (slots != slots_.size()) resize_slots(slots);
+  }
+
   /// The value of the key, and whether it is new.
   std::pair<Value&, bool> try_emplace(const JobKey& key, const Value& value) {
-    if (2 * (entries_.size() + 1) > slots_.size()) grow();
+    if (2 * (entries_.size() + 1) > slots_.size()) resize_slots(std::max(2 * slots_.size(), smallest));
     Slot& slot = slots_[slot_of(key)];
     const bool is_new = slot.index == none;
     if (is_new) {
@@ -53,6 +62,7 @@ class KeyMap {
 
  private:
   static constexpr std::uint32_t none = 0xffffffff;
+  static constexpr std::size_t smallest = 64;
   struct Slot {
     std::uint32_t tag = 0, index = none;
   };
@@ -75,16 +85,16 @@ class KeyMap {
     }
     return at;
   }
-  void grow() {
-    slots_.assign(slots_.empty() ? 64 : 2 * slots_.size(), {});
+  void resize_slots(std::size_t size) {
+    slots_.assign(size, {});
     for (std::size_t index = 0; index < entries_.size(); ++index) {
       const JobKey& key = entries_[index].first;
       slots_[slot_of(key)] = {tag_of(key), static_cast<std::uint32_t>(index)};
     }
   }
 
-  std::vector<Entry> entries_;
-  std::vector<Slot> slots_;  ///< a power of two
+  Buffer<Entry> entries_;
+  Buffer<Slot> slots_;  ///< a power of two
 };
 
 }  // namespace lober::detail

@@ -98,6 +98,7 @@ void Store::begin_run(const Provenance& who, int threads, const Manifest& manife
   Statement(*database_, "UPDATE runs SET started = strftime('%Y-%m-%dT%H:%M:%fZ') WHERE id = ?1").bind(1, run_).run();
   plan_ = std::move(plan);
   put_plan(*plan_);
+  known_.reserve(plan_->jobs.size() - std::min(plan_->jobs.size(), known_.size()));
   transaction.commit();
 }
 

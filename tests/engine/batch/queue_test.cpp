@@ -55,7 +55,7 @@ TEST(JobQueue, GivesWhatTheOverlayGives) {
     for (int k = i + 1; k < 12; ++k, ++job) {
       const std::vector<Point> first = wavy(400, i), second = wavy(400, k);
       const Overlay single = overlay(CurveView{first}, CurveView{second});
-      const std::vector<double>& values = results.at(job).values;
+      const Buffer<double>& values = results.at(job).values;
       EXPECT_EQ(values[2], single.areas.intersection);
       EXPECT_EQ(values[4], single.areas.c1_minus_c2);
       EXPECT_EQ(values[11], single.rounding.c1_minus_c2);
@@ -66,7 +66,7 @@ TEST(JobQueue, GivesWhatTheOverlayGives) {
 }
 
 TEST(JobQueue, SameBitsForAnyThreadsAndMemory) {
-  std::vector<std::map<std::size_t, std::pair<std::vector<double>, std::vector<std::vector<double>>>>> all;
+  std::vector<std::map<std::size_t, std::pair<Buffer<double>, std::vector<std::vector<double>>>>> all;
   for (const JobQueueOptions options : {JobQueueOptions{.threads = 1}, JobQueueOptions{.threads = 4},
                                         JobQueueOptions{.threads = 3, .memory = std::size_t{200} << 10}}) {
     QueueOfCurves mine(options, 10, 1500);

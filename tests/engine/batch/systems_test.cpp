@@ -18,7 +18,7 @@ namespace {
 
 // The parts of a result that are the same in every run.
 struct RecordNumbers {
-  std::vector<double> values;
+  Buffer<double> values;
   std::vector<std::vector<double>> lists;
   friend bool operator==(const RecordNumbers&, const RecordNumbers&) = default;
 };
