@@ -13,6 +13,8 @@
 #include <cstdlib>
 #include <fstream>
 #include <random>
+#include <string>
+#include <string_view>
 #include <thread>
 
 #include "cli/program/progress.hpp"
@@ -26,6 +28,17 @@ namespace {
 
 // The machine may be slow and busy; by itself it takes a tenth of that.
 constexpr double longest_end = 4;
+
+// Whether the process catches SIGINT by now: a busy machine may take longer to start it than the test waits.
+bool listens(pid_t process) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  for (std::string line; std::getline(status, line);) {
+    constexpr std::string_view caught = "SigCgt:";
+    if (line.starts_with(caught))
+      return (std::stoull(line.substr(caught.size()), nullptr, 16) >> (SIGINT - 1) & 1) != 0;
+  }
+  return false;
+}
 
 class Interrupt : public ProgramTest {
  protected:
@@ -51,6 +64,7 @@ class Interrupt : public ProgramTest {
     asked_ = true;
     for (int round = 0; round < 2; ++round) {
       const pid_t process = start_in(folder(), command);
+      for (int k = 0; k < 500 && !listens(process); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
       std::this_thread::sleep_for(Seconds(moment(random)));
       const auto begin = std::chrono::steady_clock::now();
       kill(process, SIGINT);
