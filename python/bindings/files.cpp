@@ -3,6 +3,7 @@
 #include "lober/base/error.hpp"
 #include "lober/base/version.hpp"
 #include "lober/curve/formats.hpp"
+#include "lober/curve/periods.hpp"
 
 #include <pybind11/stl.h>
 
@@ -24,9 +25,14 @@ py::tuple read_zones(const std::string& path, bool hash, const std::string& colu
 }
 
 // The points, and a warning, which is nearly always empty.
-py::tuple read_one(const std::string& spec, bool closed, double period_x, double period_y) {
+py::tuple read_one(const std::string& spec, bool closed, double period_x, double period_y,
+                   const std::optional<Array>& near) {
+  const Periods periods{period_x, period_y};
+  const std::span<const Point> others = near ? points_of(*near) : std::span<const Point>();
   NamedCurve found = long_call(0, [&] {
-    return read_curve(spec, closed, {.hash = false, .periods = {period_x, period_y}});
+    NamedCurve one = read_curve(spec, closed, {.hash = false, .periods = periods});
+    if (!others.empty()) move_near(one.curve.points, others, periods);
+    return one;
   });
   std::string warning = std::move(found.warning);
   if (!warning.empty()) {
@@ -80,7 +86,8 @@ py::list list_formats() {
 
 void bind_files(py::module_& module) {
   module.def("read_zones", read_zones, py::arg("path"), py::arg("hash"), py::arg("columns"));
-  module.def("read_one", read_one, py::arg("spec"), py::arg("closed"), py::arg("period_x"), py::arg("period_y"));
+  module.def("read_one", read_one, py::arg("spec"), py::arg("closed"), py::arg("period_x"), py::arg("period_y"),
+             py::arg("near"));
   module.def("write_zones", write_zones, py::arg("path"), py::arg("zones"), py::arg("format"), py::arg("closed"),
              py::arg("notes"));
   module.def("list_formats", list_formats);

@@ -73,7 +73,11 @@ class CurveFile:
 
 
 def read(
-    path: Path, *, closed: bool = True, periods: float | tuple[float | None, float | None] | None = None
+    path: Path,
+    *,
+    closed: bool = True,
+    periods: float | tuple[float | None, float | None] | None = None,
+    near: Any = None,
 ) -> Points:
     """The points of one curve: of FILE, or of one zone, FILE#2 by its number from 0 or FILE#TITLE. FILE:lon,lat and
     FILE:2,3 choose columns of a table by name or number, FILE:lon,lat,by=id#a one of its groups; FILE.h5:/group/x,/group/y
@@ -81,12 +85,16 @@ def read(
 
     The format is recognised by the content, compressed by gzip or not: `formats()` lists them. A closed curve loses a
     last point that repeats the first. `periods` are those of x and y, None for none; a number is that of x, as of
-    longitudes: 360. A curve that was stored modulo them is followed across the seam; a warning is issued for longitudes
-    that jump at the date line without a period. Raises UsageError, DataError, which
-    names file and line.
+    longitudes: 360. A curve that was stored modulo them is followed across the seam, and moved by whole periods to where
+    the curve `near` is: the other one of a pair, which it would not meet else where the two begin on different sides of
+    the seam. A warning is issued for longitudes that jump at the date line without a period. Raises UsageError,
+    DataError, which names file and line.
     """
     x, y = _periods_of(periods)
-    points, warning = _lober.read_one(os.fspath(path), closed, x, y)
+    if near is not None and x == 0 and y == 0:
+        raise UsageError("near moves a curve by whole periods: give periods too")
+    others = None if near is None else points_of(near, "near")
+    points, warning = _lober.read_one(os.fspath(path), closed, x, y, others)
     if warning:
         warnings.warn(f"{os.fspath(path)}: {warning}", stacklevel=2)
     return points

@@ -205,3 +205,20 @@ def test_results_are_drawn() -> None:
         assert result.plot().figure is not None
     with pytest.raises(lober.UsageError, match="no picture of a Densify"):
         lober.densify(C1, max_length=0.1).plot()
+
+
+def test_a_curve_is_read_near_another_one(tmp_path: Path) -> None:
+    """Where the two begin on different sides of the seam they did not meet, and nothing said so."""
+    t = 2 * np.pi * np.arange(60) / 60
+    first, second = (np.stack([x + 5 * np.cos(t), 5 * np.sin(t)], axis=1) for x in (179, 182))
+    expected = lober.overlay(first, second).area.intersection
+    for shift in (0, 20, 40):
+        for name, curve in (("first", first), ("second", second)):
+            stored = np.roll(curve, shift if name == "second" else 0, axis=0)
+            stored = np.stack([(stored[:, 0] + 180) % 360 - 180, stored[:, 1]], axis=1)
+            lober.write(tmp_path / f"{name}.npy", stored)
+        a = lober.read(tmp_path / "first.npy", periods=360)
+        b = lober.read(tmp_path / "second.npy", periods=360, near=a)
+        assert lober.overlay(a, b).area.intersection == pytest.approx(expected, rel=1e-12)
+    with pytest.raises(lober.UsageError, match="near moves a curve by whole periods"):
+        lober.read(tmp_path / "second.npy", near=first)
