@@ -26,8 +26,27 @@ HeightCrossings crossings_of_height(const Point* points, Point point) {
   return kernels().crossings_of_height(points, point);
 }
 
-std::size_t keep_near(const Frame& frame, FramePyramid pyramid, TreeNode* list, std::size_t count) {
-  return kernels().keep_near_frame(frame, pyramid, list, count);
+void frames_of_leaves(const std::array<const Point*, nodes_at_once>& points,
+                      const std::array<const Box*, nodes_at_once>& boxes, FourFrames& frames) {
+  kernels().frames_of_leaves(points.data(), boxes.data(), frames);
+}
+
+void join_frames(const std::array<const FourFrames*, nodes_at_once>& below,
+                 const std::array<Chord, nodes_at_once>& chords, const std::array<const Box*, nodes_at_once>& boxes,
+                 FourFrames& frames) {
+  kernels().join_frames(below.data(), chords.data(), boxes.data(), frames);
+}
+
+void distribute_frames(const FourFrames& four, std::size_t present, FramePyramid pyramid, const TreeNode* list,
+                       std::size_t count, const std::array<TreeNode*, nodes_at_once>& met,
+                       std::array<std::size_t, nodes_at_once>& met_count) {
+  kernels().distribute_frames(four, present, pyramid, list, count, met.data(), met_count.data());
+}
+
+SplitCounts refine_frames(const FourFrames& four, std::size_t which, double largest, FramePyramid pyramid,
+                          const std::uint32_t* size, const TreeNode* list, std::size_t count, TreeNode* kept,
+                          TreeNode* split) {
+  return kernels().refine_frames(four, which, largest, pyramid, size, list, count, kept, split);
 }
 
 std::size_t keep_near(const Strip& strip, StripPyramid pyramid, TreeNode* list, std::size_t count) {

@@ -1,4 +1,4 @@
-// Body of keep_near (kernels/all.inl).
+// Bodies of the kernels of frames (kernels/all.inl).
 #pragma once
 
 #include "kernels/frame_filter.hpp"
@@ -7,38 +7,173 @@
 namespace lober::detail {
 namespace {
 
-// Distance of centres beside `a` and beside `b` against the reach of both.
-inline unsigned certainly_apart(const Frame& a, const Frame* const (&b)[lanes]) {
-  Lanes rows[lanes];
-  for (std::size_t k = 0; k < lanes; ++k) rows[k] = load(&b[k]->middle.x);
-  transpose(rows);
-  const Lanes length = {b[0]->length, b[1]->length, b[2]->length, b[3]->length};
-  const Lanes width = {b[0]->width, b[1]->width, b[2]->width, b[3]->width};
-  const Lanes ax = splat(a.along.x), ay = splat(a.along.y);
-  const Lanes dx = rows[0] - splat(a.middle.x), dy = rows[1] - splat(a.middle.y), bx = rows[2], by = rows[3];
-  const Lanes parallel = absolute(ax * bx + ay * by), across = absolute(ax * by - ay * bx);
-  const Lanes beside_a = absolute(ax * dy - ay * dx), beside_b = absolute(bx * dy - by * dx);
-  return mask_bits((beside_a > splat(a.width) + (width * parallel + length * across)) |
-                   (beside_b > width + (splat(a.width) * parallel + splat(a.length) * across)));
+// Rounding of the middles, of products and sums with them, here and in tests: less than this times the largest numbers
+// that occur.
+constexpr double frame_roundings = 0x1p-47;
+
+struct FrameLanes {
+  Lanes x, y, along_x, along_y, length, width;
+};
+inline void load_frames(const FourFrames& four, FrameLanes& frames) {
+  frames = {load(four.x), load(four.y), load(four.along_x), load(four.along_y), load(four.length), load(four.width)};
+}
+inline void splat_frame(const FourFrames& four, std::size_t k, FrameLanes& frame) {
+  frame = {splat(four.x[k]),       splat(four.y[k]),      splat(four.along_x[k]),
+           splat(four.along_y[k]), splat(four.length[k]), splat(four.width[k])};
 }
 
-inline std::size_t keep_nodes(const Frame& frame, FramePyramid pyramid, TreeNode* list, std::size_t count) {
-  std::size_t kept = 0;
-  for (std::size_t begin = 0; begin < count; begin += lanes) {
-    const std::size_t together = count - begin < lanes ? count - begin : lanes;
-    TreeNode nodes[lanes];
-    const Frame* frames[lanes];
-    for (std::size_t k = 0; k < lanes; ++k) {
-      nodes[k] = list[begin + (k < together ? k : 0)];
-      frames[k] = &pyramid.frames[pyramid.begin[nodes[k].level] + nodes[k].index];
-    }
-    const unsigned apart = certainly_apart(frame, frames);
-    for (std::size_t k = 0; k < together; ++k) {
-      list[kept] = nodes[k];
-      kept += ~apart >> k & 1U;
+// Directions of four chords. One of no length, or one that cannot be normalised, stands for the x axis.
+struct Directions {
+  Lanes x, y;
+  LaneMask sound;
+};
+inline void normalise_chords(Lanes dx, Lanes dy, Directions& along) {
+  const Lanes one = splat(1), length = square_root(dx * dx + dy * dy);
+  along.sound = (length > splat(0x1p-900)) & (length < splat(0x1p900));
+  const Lanes part = one / (along.sound ? length : one);
+  along.x = along.sound ? dx * part : one;
+  along.y = along.sound ? dy * part : splat(0);
+}
+
+// A box tells how far a node reaches along any direction; how far beside it, `low` to `high`, is known better.
+inline void put_frames(const Box* const* boxes, const Directions& along, Lanes low, Lanes high, FourFrames& frames) {
+  const Lanes half = splat(0.5);
+  Lanes box[lanes];
+  for (std::size_t k = 0; k < lanes; ++k) box[k] = load(boxes[k]->lane);
+  transpose(box);
+  const Lanes x = half * box[0] - half * box[2], y = half * box[1] - half * box[3];
+  const Lanes half_width = half * (-box[2] - box[0]), half_height = half * (-box[3] - box[1]);
+  const Lanes slack =
+      splat(frame_roundings) * (absolute(x) + absolute(y) + half_width + half_height) + splat(0x1p-1000);
+  const Lanes beside = half * (low + high) - (along.x * y - along.y * x);
+  const Lanes length = half_width * absolute(along.x) + half_height * absolute(along.y);
+  store(frames.x, along.sound ? x - beside * along.y : x);
+  store(frames.y, along.sound ? y + beside * along.x : y);
+  store(frames.along_x, along.x);
+  store(frames.along_y, along.y);
+  store(frames.length, length + slack);
+  store(frames.width, (along.sound ? half * (high - low) : half_height) + slack);
+}
+
+inline void put_frames_of_leaves(const Point* const* points, const Box* const* boxes, FourFrames& frames) {
+  Lanes low[lanes], high[lanes], dx, dy;
+  for (std::size_t k = 0; k < lanes; ++k) {
+    const Point from = points[k][0], to = points[k][leaf_size];
+    dx[k] = to.x - from.x;
+    dy[k] = to.y - from.y;
+  }
+  Directions along;
+  normalise_chords(dx, dy, along);
+  for (std::size_t k = 0; k < lanes; ++k) {
+    const double* coordinates = &points[k][0].x;
+    const Lanes ax = splat(along.x[k]), ay = splat(along.y[k]);
+    low[k] = high[k] = splat(along.x[k] * points[k][leaf_size].y - along.y[k] * points[k][leaf_size].x);
+    for (std::size_t i = 0; i < leaf_size; i += lanes) {
+      const Lanes first = load(coordinates + 2 * i), second = load(coordinates + 2 * i + 4);
+      const Lanes beside = ax * __builtin_shufflevector(first, second, 1, 5, 3, 7) -
+                           ay * __builtin_shufflevector(first, second, 0, 4, 2, 6);
+      low[k] = min(low[k], beside);
+      high[k] = max(high[k], beside);
     }
   }
-  return kept;
+  transpose(low);
+  transpose(high);
+  put_frames(boxes, along, min(min(low[0], low[1]), min(low[2], low[3])),
+             max(max(high[0], high[1]), max(high[2], high[3])), frames);
+}
+
+inline void put_joined_frames(const FourFrames* const* below, const Chord* chords, const Box* const* boxes,
+                              FourFrames& frames) {
+  Lanes low[lanes], high[lanes], dx, dy;
+  for (std::size_t k = 0; k < lanes; ++k) {
+    dx[k] = chords[k].to.x - chords[k].from.x;
+    dy[k] = chords[k].to.y - chords[k].from.y;
+  }
+  Directions along;
+  normalise_chords(dx, dy, along);
+  for (std::size_t k = 0; k < lanes; ++k) {
+    const Lanes ax = splat(along.x[k]), ay = splat(along.y[k]);
+    FrameLanes part;
+    load_frames(*below[k], part);
+    const Lanes parallel = absolute(ax * part.along_x + ay * part.along_y);
+    const Lanes across = absolute(ax * part.along_y - ay * part.along_x);
+    const Lanes beside = ax * part.y - ay * part.x, reach = part.length * across + part.width * parallel;
+    low[k] = beside - reach;
+    high[k] = beside + reach;
+  }
+  transpose(low);
+  transpose(high);
+  put_frames(boxes, along, min(min(low[0], low[1]), min(low[2], low[3])),
+             max(max(high[0], high[1]), max(high[2], high[3])), frames);
+}
+
+// Distances of the middles beside each frame, and along the first, against the reach of both.
+inline LaneMask certainly_apart(const FrameLanes& a, const FrameLanes& b) {
+  const Lanes dx = b.x - a.x, dy = b.y - a.y;
+  const Lanes parallel = absolute(a.along_x * b.along_x + a.along_y * b.along_y);
+  const Lanes across = absolute(a.along_x * b.along_y - a.along_y * b.along_x);
+  const Lanes beside_a = absolute(a.along_x * dy - a.along_y * dx),
+              beside_b = absolute(b.along_x * dy - b.along_y * dx);
+  const Lanes along_a = absolute(a.along_x * dx + a.along_y * dy);
+  return (beside_a > a.width + (b.width * parallel + b.length * across)) |
+         (beside_b > b.width + (a.width * parallel + a.length * across)) |
+         (along_a > a.length + (b.length * parallel + b.width * across));
+}
+
+inline const FourFrames& frames_at(FramePyramid pyramid, std::uint32_t level, std::uint32_t index) {
+  return pyramid.frames[pyramid.begin[level / 2] + index / lanes];
+}
+
+inline void distribute_by_frames(const FourFrames& four, std::size_t present, FramePyramid pyramid,
+                                 const TreeNode* list, std::size_t count, TreeNode* const* met,
+                                 std::size_t* met_count) {
+  FrameLanes a, b;
+  load_frames(four, a);
+  std::size_t end[lanes] = {};
+  const unsigned valid = (1U << present) - 1;
+  for (std::size_t k = 0; k < count; ++k) {
+    const TreeNode node = list[k];
+    splat_frame(frames_at(pyramid, node.level, node.index), node.index % lanes, b);
+    const unsigned bits = valid & ~mask_bits(certainly_apart(a, b));
+    for (std::size_t i = 0; i < lanes; ++i) {
+      met[i][end[i]] = node;
+      end[i] += bits >> i & 1U;
+    }
+  }
+  for (std::size_t i = 0; i < lanes; ++i) met_count[i] = end[i];
+}
+
+inline SplitCounts refine_by_frames(const FourFrames& four, std::size_t which, double largest, FramePyramid pyramid,
+                                    const std::uint32_t* size, const TreeNode* list, std::size_t count, TreeNode* kept,
+                                    TreeNode* split) {
+  FrameLanes a, b;
+  splat_frame(four, which, a);
+  SplitCounts end{0, 0};
+  for (std::size_t k = 0; k < count; ++k) {
+    const TreeNode node = list[k];
+    if (node.level == 0 || frame_size(frames_at(pyramid, node.level, node.index), node.index % lanes) <= largest) {
+      kept[end.kept++] = node;
+      continue;
+    }
+    const TreeNode first{node.level - 2, node.index * 4};
+    const std::uint32_t left = size[first.level] - first.index;
+    load_frames(frames_at(pyramid, first.level, first.index), b);
+    const unsigned meets = (left < lanes ? (1U << left) - 1 : 15U) & ~mask_bits(certainly_apart(a, b));
+    const unsigned small = first.level == 0 ? 15U : mask_bits(b.length + b.width <= splat(largest));
+    if ((meets & ~small) == 0) {
+      for (std::uint32_t i = 0; i < lanes; ++i) {
+        kept[end.kept] = {first.level, first.index + i};
+        end.kept += meets >> i & 1U;
+      }
+      continue;
+    }
+    for (std::uint32_t i = 0; i < lanes; ++i) {
+      kept[end.kept] = split[end.split] = {first.level, first.index + i};
+      end.kept += (meets & small) >> i & 1U;
+      end.split += (meets & ~small) >> i & 1U;
+    }
+  }
+  return end;
 }
 
 }  // namespace

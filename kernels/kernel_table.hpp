@@ -38,7 +38,13 @@ struct KernelTable {
   void (*chebyshev_points)(const Point* coefficients, std::size_t degrees, double centre, double half_width,
                            const double* parameters, std::size_t size, Point* points);
   unsigned (*four_parameters)(const SegmentCrossing* crossings, double scale, CrossingParameters* parameters);
-  std::size_t (*keep_near_frame)(const Frame& frame, FramePyramid pyramid, TreeNode* list, std::size_t count);
+  void (*frames_of_leaves)(const Point* const* points, const Box* const* boxes, FourFrames& frames);
+  void (*join_frames)(const FourFrames* const* below, const Chord* chords, const Box* const* boxes, FourFrames& frames);
+  void (*distribute_frames)(const FourFrames& four, std::size_t present, FramePyramid pyramid, const TreeNode* list,
+                            std::size_t count, TreeNode* const* met, std::size_t* met_count);
+  SplitCounts (*refine_frames)(const FourFrames& four, std::size_t which, double largest, FramePyramid pyramid,
+                               const std::uint32_t* size, const TreeNode* list, std::size_t count, TreeNode* kept,
+                               TreeNode* split);
   void (*subdivide)(const CubicPiece& piece, std::uint32_t parts, std::uint32_t first, std::uint32_t last, Point* out);
   void (*summarise_leaves)(const Point* points, std::size_t first, std::size_t count, Box* boxes, DD* sums,
                            std::uint8_t* flags);

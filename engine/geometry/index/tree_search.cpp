@@ -145,6 +145,7 @@ SearchCounts search_trees(const BoxTree& first, const BoxTree& second, bool self
   std::optional<NodeStrips> strips1, strips2;
   if (self && ahead.boxes_a_leaf > worth_frames) {
     search.use(frames.emplace(first));
+    for (Meeting& task : tasks) task.list = search.on_even_levels(task.list);
   } else if (ahead.boxes_a_leaf > worth_strips &&
              ahead.boxes > boxes_a_strip * static_cast<double>(first.leaves() + second.leaves())) {
     search.use(strips1.emplace(first), strips2.emplace(second));

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -56,13 +57,23 @@ class TreeWalk {
       ensure_size(carried.met[i], list.size() + 1);
       met[i] = carried.met[i].data();
     }
-    distribute(&first_.box(below), present, second_.pyramid(), list.data(), list.size(), met, carried.count);
+    if (frames_ != nullptr) {
+      distribute_frames(frames_->four(below), present, frames_->pyramid(), list.data(), list.size(), met,
+                        carried.count);
+    } else {
+      distribute(&first_.box(below), present, second_.pyramid(), list.data(), list.size(), met, carried.count);
+    }
     counts.boxes_tested += present * list.size();
     for (std::size_t i = 0; i < present; ++i) {
       const TreeNode child{below.level, below.index + static_cast<std::uint32_t>(i)};
-      if (self_) drop_apart(child, carried.met[i], carried.count[i]);
+      if (self_) carried.count[i] = drop_apart(child, carried.met[i].data(), carried.count[i]);
       drop_beside(child, carried.met[i], carried.count[i], counts);
-      if (carried.count[i] > 0) split_to_size(child, carried.met[i], carried.count[i], counts);
+      if (carried.count[i] == 0) continue;
+      if (frames_ != nullptr) {
+        split_by_frames(child, carried.met[i], carried.count[i], counts);
+      } else {
+        split_to_size(child, carried.met[i], carried.count[i], counts);
+      }
     }
   }
 
@@ -137,8 +148,24 @@ class TreeWalk {
     }
   }
 
-  /// Uses the frames from now on, for a curve with itself. They must outlive the search.
+  /// Uses the frames from now on, for a curve with itself. They must outlive the search. Lists may then hold nodes of
+  /// even levels only.
   void use(const NodeFrames& frames) { frames_ = &frames; }
+  /// The same list with nodes of even levels: others are replaced by those below them.
+  [[nodiscard]] std::vector<TreeNode> on_even_levels(std::span<const TreeNode> list) const {
+    std::vector<TreeNode> even;
+    even.reserve(2 * list.size());
+    for (const TreeNode node : list) {
+      if (node.level % levels_at_once == 0) {
+        even.push_back(node);
+        continue;
+      }
+      const TreeNode first{node.level - 1, 2 * node.index};
+      even.push_back(first);
+      if (first.index + 1 < second_.nodes(first.level)) even.push_back({first.level, first.index + 1});
+    }
+    return even;
+  }
   /// Uses the strips of two curves.
   void use(const NodeStrips& first, const NodeStrips& second) {
     strips1_ = &first;
@@ -149,22 +176,28 @@ class TreeWalk {
 
  private:
   static constexpr std::size_t few_leaves = 32;
+  static constexpr std::uint32_t no_leaf = std::numeric_limits<std::uint32_t>::max();  // behind all of them
 
   void drop_beside(TreeNode node, Buffer<TreeNode>& list, std::size_t& count, SearchCounts& counts) const {
-    if (frames_ == nullptr && strips1_ == nullptr) return;
+    if (strips1_ == nullptr) return;
     counts.boxes_tested += count;
-    count = frames_ != nullptr ? keep_near(frames_->of(node), frames_->pyramid(), list.data(), count)
-                               : keep_near(strips1_->of(node), strips2_->pyramid(), list.data(), count);
+    count = keep_near(strips1_->of(node), strips2_->pyramid(), list.data(), count);
   }
 
   static void ensure_size(Buffer<TreeNode>& buffer, std::size_t size) {
     if (buffer.size() < size) buffer.resize(2 * size);
   }
 
-  void drop_apart(TreeNode node, Buffer<TreeNode>& list, std::size_t& count) const {
-    const auto end = std::remove_if(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count),
-                                    [&](TreeNode candidate) { return apart(node, candidate); });
-    count = static_cast<std::size_t>(end - list.begin());
+  [[nodiscard]] std::size_t drop_apart(TreeNode node, TreeNode* list, std::size_t count) const {
+    // Most are far along the curve, where there is nothing to ask.
+    const std::uint32_t end = node.index == 0 ? no_leaf : (node.index + 1) << node.level;
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const TreeNode candidate = list[k];
+      list[kept] = candidate;
+      kept += static_cast<std::size_t>(candidate.index << candidate.level > end || !apart(node, candidate));
+    }
+    return kept;
   }
 
   void drop_points(TreeNode node, Buffer<TreeNode>& list, std::size_t& count) const {
@@ -194,11 +227,36 @@ class TreeWalk {
       kept += refined.kept;
       waiting.swap(split);
       waiting_count = refined.split;
-      if (self_) drop_apart(node, waiting, waiting_count);
+      if (self_) waiting_count = drop_apart(node, waiting.data(), waiting_count);
       if (stalls_) drop_points(node, waiting, waiting_count);
       drop_beside(node, waiting, waiting_count, counts);
     }
     count = kept;
+  }
+
+  // The same by frames, for a curve with itself.
+  void split_by_frames(TreeNode node, Buffer<TreeNode>& list, std::size_t& count, SearchCounts& counts) const {
+    const FourFrames& four = frames_->four(node);
+    const std::size_t which = node.index % nodes_at_once;
+    const double largest = node.level == 0 ? -1 : frame_size(four, which);
+    if (stalls_) drop_points(node, list, count);
+    thread_local Buffer<TreeNode> waiting, split;
+    std::size_t kept = 0, waiting_count = count;
+    ensure_size(waiting, count);
+    std::copy_n(list.begin(), count, waiting.begin());
+    while (waiting_count > 0) {
+      ensure_size(list, kept + nodes_at_once * waiting_count + 1);
+      ensure_size(split, nodes_at_once * waiting_count + 1);
+      const SplitCounts refined = refine_frames(four, which, largest, frames_->pyramid(), second_.pyramid().size,
+                                                waiting.data(), waiting_count, &list[kept], split.data());
+      counts.boxes_tested += nodes_at_once * waiting_count;
+      kept += drop_apart(node, &list[kept], refined.kept);
+      waiting.swap(split);
+      waiting_count = drop_apart(node, waiting.data(), refined.split);
+      if (stalls_) drop_points(node, waiting, waiting_count);
+    }
+    count = kept;
+    if (stalls_) drop_points(node, list, count);
   }
 
   // In a search of a curve against itself: nothing to find between these two nodes.

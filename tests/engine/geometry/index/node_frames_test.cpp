@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
+#include <vector>
 
 #include "kernels/cpu.hpp"
 #include "tests/engine/geometry/index/scenes.hpp"
@@ -15,9 +17,46 @@ namespace lober::test {
 using namespace lober::detail;
 namespace {
 
-bool kept(const NodeFrames& first, TreeNode node, const NodeFrames& second, TreeNode other) {
-  std::array<TreeNode, 1> list{other};
-  return keep_near(first.of(node), second.pyramid(), list.data(), 1) == 1;
+struct Framed {
+  explicit Framed(const CurveView& curve) : tree(curve), frames(tree) {}
+  BoxTree tree;
+  NodeFrames frames;
+};
+
+std::array<std::vector<TreeNode>, nodes_at_once> distributed(const Framed& first, TreeNode node, const Framed& second,
+                                                             const std::vector<TreeNode>& list) {
+  std::array<std::vector<TreeNode>, nodes_at_once> met;
+  std::array<TreeNode*, nodes_at_once> room{};
+  std::array<std::size_t, nodes_at_once> count{};
+  for (std::size_t k = 0; k < nodes_at_once; ++k) {
+    met[k].resize(list.size() + 1);
+    room[k] = met[k].data();
+  }
+  const std::size_t left = first.tree.nodes(node.level) - node.index / nodes_at_once * nodes_at_once;
+  distribute_frames(first.frames.four(node), std::min(left, nodes_at_once), second.frames.pyramid(), list.data(),
+                    list.size(), room, count);
+  for (std::size_t k = 0; k < nodes_at_once; ++k) met[k].resize(count[k]);
+  return met;
+}
+
+// Those that are kept and those that are to be split, in this order.
+std::vector<TreeNode> refined(const Framed& first, TreeNode node, double largest, const Framed& second,
+                              const std::vector<TreeNode>& list) {
+  std::vector<TreeNode> kept(nodes_at_once * list.size() + 1), split = kept;
+  const SplitCounts count =
+      refine_frames(first.frames.four(node), node.index % nodes_at_once, largest, second.frames.pyramid(),
+                    second.tree.pyramid().size, list.data(), list.size(), kept.data(), split.data());
+  kept.resize(count.kept);
+  kept.insert(kept.end(), split.begin(), split.begin() + static_cast<std::ptrdiff_t>(count.split));
+  return kept;
+}
+
+bool kept(const Framed& first, TreeNode node, const Framed& second, TreeNode other) {
+  const bool distributes = !distributed(first, node, second, {other})[node.index % nodes_at_once].empty();
+  if (other.level + levels_at_once >= second.tree.levels()) return distributes;
+  const TreeNode above{other.level + levels_at_once, other.index >> levels_at_once};
+  const std::vector<TreeNode> below = refined(first, node, -1, second, {above});
+  return distributes && std::find(below.begin(), below.end(), other) != below.end();
 }
 
 class Frames : public ::testing::TestWithParam<SceneKind> {};
@@ -28,15 +67,14 @@ TEST_P(Frames, KeepWhatMeets) {
     if (size > GetParam().largest) break;
     const Scene made = GetParam().make(random, size);
     const CurveView one(made.first), two(made.second);
-    const BoxTree first(one), second(two);
-    const NodeFrames frames1(first), frames2(second);
+    const Framed first(one), second(two);
     for (const SegmentPair& pair : pairs_with_common_point(one, two)) {
-      for (std::uint32_t i = 0; i < first.levels(); ++i) {
-        for (std::uint32_t j = 0; j < second.levels(); ++j) {
+      for (std::uint32_t i = 0; i < first.tree.levels(); i += levels_at_once) {
+        for (std::uint32_t j = 0; j < second.tree.levels(); j += levels_at_once) {
           const TreeNode node{i, static_cast<std::uint32_t>(pair.first / leaf_size) >> i};
           const TreeNode other{j, static_cast<std::uint32_t>(pair.second / leaf_size) >> j};
-          ASSERT_TRUE(kept(frames1, node, frames2, other)) << pair.first << ' ' << i << ' ' << pair.second << ' ' << j;
-          ASSERT_TRUE(kept(frames2, other, frames1, node));
+          ASSERT_TRUE(kept(first, node, second, other)) << pair.first << ' ' << i << ' ' << pair.second << ' ' << j;
+          ASSERT_TRUE(kept(second, other, first, node));
         }
       }
     }
@@ -57,10 +95,41 @@ TEST(NodeFrames, TellLinesApart) {
           lines[which].points.push_back({far + 0.8 * t - 0.6 * apart * which, far + 0.6 * t + 0.8 * apart * which});
         }
       }
-      const BoxTree first{CurveView(lines[0])}, second{CurveView(lines[1])};
-      const NodeFrames frames1(first), frames2(second);
-      ASSERT_TRUE(meet(first.box(), second.box()));
-      EXPECT_FALSE(kept(frames1, first.root(), frames2, second.root())) << far << ' ' << apart;
+      const Framed first{CurveView(lines[0])}, second{CurveView(lines[1])};
+      ASSERT_TRUE(meet(first.tree.box(), second.tree.box()));
+      EXPECT_FALSE(kept(first, first.tree.root(), second, second.tree.root())) << far << ' ' << apart;
+    }
+  }
+}
+
+// Pieces of one slanted line, one behind the other: their boxes are apart too, and frames have to know it.
+TEST(NodeFrames, TellPiecesOfALineApart) {
+  Curve line;
+  line.closed = false;
+  for (int k = 0; k <= 1280; ++k) line.points.push_back({0.8 * k, 0.6 * k});
+  const Framed framed{CurveView(line)};
+  for (const std::uint32_t level : {0U, 2U}) {
+    for (std::uint32_t k = 0; k < framed.tree.nodes(level); ++k) {
+      EXPECT_TRUE(kept(framed, {level, 0}, framed, {level, k}) == (k <= 1)) << level << ' ' << k;
+    }
+  }
+}
+
+TEST(NodeFrames, AllCopiesMakeTheSame) {
+  if (!has_avx2()) GTEST_SKIP() << "no AVX2 on this machine";
+  Random random(seed());
+  const InstructionSet before = instruction_set();
+  for (const SceneKind& kind : scene_kinds()) {
+    const Scene made = kind.make(random, std::min<std::size_t>(kind.largest, 2000));
+    const Framed framed{CurveView(made.first)};
+    limit_instruction_set(InstructionSet::baseline);
+    const Framed other{CurveView(made.first)};
+    limit_instruction_set(before);
+    for (std::uint32_t level = 0; level < framed.tree.levels(); level += levels_at_once) {
+      for (std::uint32_t k = 0; k < framed.tree.nodes(level); ++k) {
+        ASSERT_EQ(std::memcmp(&framed.frames.four({level, k}), &other.frames.four({level, k}), sizeof(FourFrames)), 0)
+            << kind.name << ' ' << level << ' ' << k;
+      }
     }
   }
 }
@@ -69,20 +138,22 @@ TEST(NodeFrames, BothCopiesKeepTheSame) {
   if (!has_avx2()) GTEST_SKIP() << "no AVX2 on this machine";
   Random random(seed());
   const Scene made = scene_kinds()[0].make(random, 2000);
-  const BoxTree tree{CurveView(made.first)};
-  const NodeFrames frames(tree);
+  const Framed framed{CurveView(made.first)};
   std::vector<TreeNode> all;
-  for (std::uint32_t level = 0; level < tree.levels(); ++level) {
-    for (std::uint32_t k = 0; k < tree.nodes(level); ++k) all.push_back({level, k});
+  for (std::uint32_t level = 0; level < framed.tree.levels(); level += levels_at_once) {
+    for (std::uint32_t k = 0; k < framed.tree.nodes(level); ++k) all.push_back({level, k});
   }
   for (const TreeNode node : all) {
-    std::vector<TreeNode> here = all, there = all;
-    here.resize(keep_near(frames.of(node), frames.pyramid(), here.data(), here.size()));
+    const double largest = frame_size(framed.frames.four(node), node.index % nodes_at_once);
+    const auto here = distributed(framed, node, framed, all);
+    const auto refined_here = refined(framed, node, largest, framed, all);
     const InstructionSet before = instruction_set();
     limit_instruction_set(InstructionSet::baseline);
-    there.resize(keep_near(frames.of(node), frames.pyramid(), there.data(), there.size()));
+    const auto there = distributed(framed, node, framed, all);
+    const auto refined_there = refined(framed, node, largest, framed, all);
     limit_instruction_set(before);
     ASSERT_EQ(here, there);
+    ASSERT_EQ(refined_here, refined_there);
   }
 }
 
