@@ -148,3 +148,9 @@ def test_call_runs_any_operation():
         lober.call("regions", square, square, square)
     with pytest.raises(lober.UsageError):
         lober.call("regions")
+
+
+def test_a_manifold_that_is_given_inward_is_asked_for() -> None:
+    u, s = (lober.grow("henon", side="stable" if side else "unstable", length=60).points for side in (False, True))
+    with pytest.raises(lober.DataError, match="one pip only, and enclose no lobe; is U given inward"):
+        lober.curve_transport(u[::-1], s)

@@ -40,7 +40,9 @@ TransportOfCurves transport(const Tangle& tangle, int iterates) {
   if (iterates < 1) throw UsageError("transport takes at least one iterate");
   if (!tangle.boundary) throw DataError("transport: the manifolds do not cross");
   if (tangle.lobes.empty()) {
-    throw DataError("transport: the manifolds cross in one pip only, and enclose no lobe; try longer curves");
+    // The last remark of the tangle says as much; one before it asks whether a curve is given from the other end.
+    throw DataError("transport: the manifolds cross in one pip only, and enclose no lobe; " +
+                    (tangle.remarks.size() > 1 ? tangle.remarks.front() : "try longer curves"));
   }
   if (!tangle.images.misfit.empty()) throw DataError("transport: " + tangle.images.misfit);
   if (tangle.images.period == 0) {
