@@ -45,6 +45,9 @@ class ContactList {
   [[nodiscard]] Contact operator[](std::size_t k) const {
     return {kind_[k], segment1_[k], segment2_[k], t1_[k], t2_[k]};
   }
+  [[nodiscard]] ContactKind kind(std::size_t k) const { return kind_[k]; }
+  [[nodiscard]] std::uint32_t segment2(std::size_t k) const { return segment2_[k]; }
+  [[nodiscard]] DD t2(std::size_t k) const { return t2_[k]; }
   void set(std::size_t k, const Contact& contact) {
     kind_[k] = contact.kind();
     segment1_[k] = contact.segment1;
@@ -77,7 +80,8 @@ struct Contacts {
 [[nodiscard]] Contacts find_contacts(const IndexedCurve& c1, const IndexedCurve& c2, IndexKind kind, Stopwatch& watch);
 
 /// The numbers of the contacts, sorted by segment of C2 and along each segment, exactly. Adds to `counts` what that
-/// took. Parallel, deterministic; about two passes of counting sort, and n log n on a segment with n contacts.
+/// took. Parallel, deterministic; one pass where curves run side by side, else about two of counting sort; n log n on a
+/// segment with n contacts.
 [[nodiscard]] Buffer<std::uint32_t> sort_along_second(const ContactList& contacts, const CurveView& c1,
                                                       const CurveView& c2, ContactCounts& counts);
 

@@ -25,7 +25,9 @@ Crossings detail::make_crossings(NodeGraph graph, const IndexedCurve& c1, const 
   set_curves(*data, c1, c2);
   data->clockwise1 = orientation1 == Orientation::clockwise;
   data->clockwise2 = orientation2 == Orientation::clockwise;
-  for (std::uint32_t k = 0; k < data->graph.size(); ++k) {
+  const bool all_proper = data->graph.spans.empty();
+  if (all_proper) data->crossings = data->graph.size();
+  for (std::uint32_t k = 0; k < data->graph.size() && !all_proper; ++k) {
     const bool arc = data->graph.span(k).direction != 0;
     const bool crossing = data->graph.order[k] < first_touch;
     if (crossing) ++data->crossings;

@@ -124,7 +124,8 @@ bool at_last(HalfEdge half_edge, int direction) {
 // round (ends of a shared arc apart, its first vertex included).
 DD at_node(const NodeGraph& graph, const ArcSums& sums, std::uint32_t node, HalfEdge arrive, HalfEdge leave) {
   const bool came2 = on_second(arrive), goes2 = on_second(leave);
-  const NodeSpan& span = graph.spans[node];
+  const NodeSpan span = graph.span(node);
+  if (span.direction == 0) return came2 == goes2 ? DD{} : goes2 ? sums.gap[span.first] : -sums.gap[span.first];
   const bool from = at_last(arrive, span.direction), to = at_last(leave, span.direction);
   DD sum;
   if (goes2) sum += sums.gap[to ? span.last : span.first];
@@ -159,14 +160,11 @@ int sectors_at(std::uint8_t rotation, Orientations orientations, Membership want
 namespace {
 
 // Walks all faces that have an arrival in `open`; those that begin with an arrival in `second` are the second kind.
-// Where all nodes are points, which is nearly always, the sum collected at a node is its gap or nothing.
-template <bool points_only>
 void walk_all(const NodeGraph& graph, const ArcSums& sums, std::uint8_t* open, const Arrivals& second,
               std::array<Faces, 2>& faces) {
   const std::uint32_t count = graph.size();
   const std::uint32_t *along2 = graph.along2().data(), *rank2 = graph.rank2.data();
   const std::uint8_t* order = graph.order.data();
-  const DD* gap = sums.gap.data();
   std::array<std::uint32_t*, 2> next_step{faces[0].steps.data(), faces[1].steps.data()};
   const std::array<const std::uint32_t*, 2> end_step{next_step[0] + faces[0].steps.size(),
                                                      next_step[1] + faces[1].steps.size()};
@@ -181,14 +179,9 @@ void walk_all(const NodeGraph& graph, const ArcSums& sums, std::uint8_t* open, c
       do {
         open[node] = static_cast<std::uint8_t>(open[node] & ~bit_of(arrive));
         const HalfEdge leave = turns[order[node]][index_of(arrive)].leave;
-        const bool goes2 = on_second(leave), came2 = on_second(arrive);
-        if constexpr (points_only) {
-          if (goes2 != came2) twice_area.add(goes2 ? gap[node] : -gap[node]);
-        } else {
-          twice_area.add(at_node(graph, sums, node, arrive, leave));
-        }
+        twice_area.add(at_node(graph, sums, node, arrive, leave));
         if (step == end_step[kind]) fail_not_simple();
-        *step++ = pack({node, goes2});
+        *step++ = pack({node, on_second(leave)});
         switch (leave) {
           case forward1:
             rounds.round1 += node == sums.wraps1;
@@ -225,10 +218,155 @@ void walk_all(const NodeGraph& graph, const ArcSums& sums, std::uint8_t* open, c
   }
 }
 
+// One step round a cycle of the numbers below a count, onwards or back.
+struct Stride {
+  Stride(bool forward, std::uint32_t count)
+      : by(forward ? 1 : 0xffffffff), end(forward ? count : 0xffffffff), begin(forward ? 0 : count - 1) {}
+  // Adds to `rounds` where it passes from the last number to the first one, or back.
+  LOBER_INLINE std::uint32_t next(std::uint32_t number, int& rounds) const {
+    const std::uint32_t beyond = number + by;
+    if (beyond != end) return beyond;
+    rounds += static_cast<int>(by);
+    return begin;
+  }
+  [[nodiscard]] bool forward() const { return by == 1; }
+  std::uint32_t by, end, begin;
+};
+
+// The faces of one membership where all nodes are proper crossings, of either order by turns along each curve, as those
+// of simple curves are. Then walks have no choice: a face is made of arcs of C1, each from a node to its neighbour,
+// with an arc of C2 from one to the next. Nothing has to be looked up but the gaps and where the arcs of C2 lead.
+class CrossingWalk {
+ public:
+  CrossingWalk(const NodeGraph& graph, const ArcSums& sums, const Corners& corners, Faces& faces)
+      : CrossingWalk(graph, sums, corners, faces,
+                     on_second(first_of(corners.leave[rightward_to_left])) ? leftward_to_right : rightward_to_left) {}
+
+  // Arcs join node k and the next one: those that bound the faces of this membership have even k, or odd k.
+  [[nodiscard]] bool arcs_are_even() const { return arcs_are_even_; }
+  // The face at node 0, where that is the upper end of an arc: of the last one, past the first vertex. Returns false
+  // where the nodes do not alternate along C2.
+  bool walk_from_first() { return along1_.forward() ? walk<false>(0, count_ - 1) : walk<true>(0, 0); }
+  // The face whose first node is the lower end of an arc, if no walk has passed it yet. To be called in order.
+  LOBER_INLINE bool walk_from(std::uint32_t lower) {
+    if (done_[lower / 2] != 0) return true;
+    return along1_.forward() ? walk<true>(lower, lower) : walk<false>(lower, lower + 1);
+  }
+
+  // To be called in the end.
+  void finish() {
+    const auto count = static_cast<std::size_t>(area_ - faces_.area.data());
+    faces_.area.resize(count);
+    faces_.begin.resize(count + 1);
+  }
+
+ private:
+  CrossingWalk(const NodeGraph& graph, const ArcSums& sums, const Corners& corners, Faces& faces,
+               RotationSystem changes_to1)
+      : sums_(sums),
+        order2_(graph.along2().data()),
+        rank2_(graph.rank2.data()),
+        count_(graph.size()),
+        along1_(first_of(corners.leave[changes_to1]) == forward1, count_),
+        along2_(first_of(corners.leave[1 - changes_to1]) == forward2, count_),
+        arcs_are_even_((graph.order[0] == changes_to1) == along1_.forward()),
+        done_(count_ / 2),
+        faces_(faces) {
+    std::fill(done_.begin(), done_.end(), std::uint8_t{0});
+    faces_.steps.resize(count_);  // each membership has one sector at each crossing
+    faces_.area.resize(count_ / 2);
+    faces_.begin.resize(count_ / 2 + 1);
+    faces_.begin[0] = 0;
+    step_ = faces_.steps.data();
+    area_ = faces_.area.data();
+    begin_ = faces_.begin.data() + 1;
+  }
+
+  // Walks from node `start`, where an arc of C1 begins or else ends. `last` is where the arc begins that closes the
+  // walk.
+  template <bool arc_begins>
+  LOBER_INLINE bool walk(std::uint32_t start, std::uint32_t last) {
+    const Stride along1 = along1_, along2 = along2_;
+    const DD* const gap = sums_.gap.data();
+    const std::uint32_t *const order2 = order2_, *const rank2 = rank2_;
+    std::uint8_t* const done = done_.data();
+    std::uint32_t* step = step_;
+    RunningSum twice_area;
+    Turns rounds;
+    // From the node where the walk changes to C1 to the other end of the arc.
+    const auto along_arc = [&](std::uint32_t from) {
+      *step++ = pack({from, 0});
+      twice_area.add(-gap[from]);
+      const std::uint32_t to = along1.next(from, rounds.round1);
+      done[(along1.forward() ? from : to) / 2] = 1;
+      return to;
+    };
+    // From there along C2 to the next arc.
+    const auto to_next_arc = [&](std::uint32_t from) {
+      *step++ = pack({from, 1});
+      twice_area.add(gap[from]);
+      return order2[along2.next(rank2[from], rounds.round2)];
+    };
+    std::uint32_t at = start;
+    if constexpr (arc_begins) {
+      do {
+        at = to_next_arc(along_arc(at));
+        if (((at ^ start) & 1U) != 0) return false;
+      } while (at != start);
+    } else {
+      for (at = to_next_arc(start); at != last; at = to_next_arc(along_arc(at))) {
+        if (((at ^ last) & 1U) != 0) return false;
+      }
+      along_arc(last);
+    }
+    if ((rounds.round1 | rounds.round2) != 0) twice_area.add(rounds.sum(sums_));
+    const DD sum = twice_area.value();
+    *area_++ = 0.5 * (sum.hi + sum.lo);
+    *begin_++ = static_cast<std::uint32_t>(step - faces_.steps.data());
+    step_ = step;
+    return true;
+  }
+
+  const ArcSums& sums_;
+  const std::uint32_t *order2_, *rank2_;
+  std::uint32_t count_;
+  Stride along1_, along2_;
+  bool arcs_are_even_;
+  Buffer<std::uint8_t> done_;  // the arcs, in order along C1, that a walk has passed
+  Faces& faces_;
+  std::uint32_t *step_, *begin_;
+  double* area_;
+};
+
+// Walks the faces of two memberships so, if that is possible.
+bool walk_crossings(const NodeGraph& graph, const ArcSums& sums, const Corners& first, const Corners& second,
+                    std::array<Faces, 2>& faces) {
+  const std::uint32_t count = graph.size();
+  if (!graph.spans.empty() || count % 2 != 0) return false;
+  const std::uint8_t* order = graph.order.data();
+  unsigned alternate = 1;
+  for (std::uint32_t node = 1; node < count; ++node) alternate &= static_cast<unsigned>(order[node] ^ order[node - 1]);
+  if (alternate == 0) return false;
+  CrossingWalk walk1(graph, sums, first, faces[0]), walk2(graph, sums, second, faces[1]);
+  const bool swapped = !walk1.arcs_are_even();
+  CrossingWalk &even = swapped ? walk2 : walk1, &odd = swapped ? walk1 : walk2;
+  if (!even.arcs_are_even() || odd.arcs_are_even() || !odd.walk_from_first()) return false;
+  for (std::uint32_t node = 0; node < count; node += 2) {
+    if (!even.walk_from(node) || !odd.walk_from(node + 1)) return false;
+  }
+  walk1.finish();
+  walk2.finish();
+  return true;
+}
+
 }  // namespace
 
 std::array<Faces, 2> walk_faces(const NodeGraph& graph, const ArcSums& sums, Orientations orientations,
                                 const std::array<Membership, 2>& wanted) {
+  std::array<Faces, 2> faces;
+  if (walk_crossings(graph, sums, corners_of(orientations, wanted[0]), corners_of(orientations, wanted[1]), faces)) {
+    return faces;
+  }
   const std::uint32_t count = graph.size();
   const std::array arrive{arrivals(orientations, wanted[0]), arrivals(orientations, wanted[1])};
   Arrivals arrive_either{};
@@ -241,22 +379,18 @@ std::array<Faces, 2> walk_faces(const NodeGraph& graph, const ArcSums& sums, Ori
     open[node] = arrive_either[graph.order[node]];
     ++nodes_of_order[graph.order[node]];
   }
-  std::array<Faces, 2> faces;
   for (std::size_t kind = 0; kind < 2; ++kind) {
     std::size_t corners = 0;
     for (std::size_t order = 0; order < 6; ++order) {
       corners += nodes_of_order[order] * sizes[arrive[kind][order]];
     }
     faces[kind].steps.resize(corners);
+    faces[kind].area.clear();
     faces[kind].area.reserve(corners / 2 + 1);
     faces[kind].begin.reserve(corners / 2 + 2);
-    faces[kind].begin.push_back(0);
+    faces[kind].begin = {0};
   }
-  if (graph.spans.empty()) {
-    walk_all<true>(graph, sums, open.data(), arrive[1], faces);
-  } else {
-    walk_all<false>(graph, sums, open.data(), arrive[1], faces);
-  }
+  walk_all(graph, sums, open.data(), arrive[1], faces);
   return faces;
 }
 

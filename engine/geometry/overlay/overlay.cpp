@@ -156,13 +156,13 @@ class OverlayBuilder {
           auto [difference12, in_both] = walk_faces(graph, sums_, orientations(), {only1, both});
           take_faces(std::move(difference12), Pairing::c1_minus_c2);
           take_faces(std::move(in_both), Pairing::intersection);
+          classify();
         },
         [&] {
           auto [difference21, outside] = walk_faces(graph, sums_, orientations(), {only2, neither});
           take_faces(std::move(difference21), Pairing::c2_minus_c1);
           unite_connected(outside);
         });
-    classify();
   }
 
   void take_faces(Faces faces, Pairing pairing) {
@@ -232,7 +232,7 @@ class OverlayBuilder {
     }
   }
 
-  // Equivalence classes of the crossings under sigma.
+  // Equivalence classes of the crossings under sigma. The pieces of C1 \ C2 are known.
   void classify() {
     const NodeGraph& graph = graph_of(result_.nodes);
     const std::uint32_t count = graph.size();

@@ -37,6 +37,32 @@ Points comb(bool backwards, bool shuffled) {
   return points;
 }
 
+// More contacts than one task sorts, from any vertex of either curve on and either way round.
+TEST(OrderAlongSecond, AscendsWhereCurvesRunSideBySide) {
+  constexpr std::size_t count = 60000;
+  const Points first = circle(count, {0, 0}, 1, 0.3 / count), wave = wavy_circle(count, 2e-5, 20000, 0.6 / count);
+  for (const std::size_t from : {0UL, 1UL, 29990UL, count - 1}) {
+    for (const bool backwards : {false, true}) {
+      Points second = wave;
+      std::rotate(second.begin(), second.begin() + static_cast<std::ptrdiff_t>(from), second.end());
+      if (backwards) second = reversed(second);
+      OverlayOptions options;
+      options.check_simple = false;
+      const Overlay result = overlay(CurveView{first}, CurveView{second}, options);
+      ASSERT_EQ(result.nodes.crossings(), 40000U);
+      Position before;
+      for (std::size_t k = 0; k < result.nodes.size(); ++k) {
+        const std::uint32_t node = result.nodes.order2()[k];
+        const Position at = result.nodes[node].begin2;
+        ASSERT_TRUE(before.segment < at.segment || (before.segment == at.segment && before.t <= at.t))
+            << from << ' ' << k;
+        ASSERT_EQ(result.nodes.rank2(node), k);
+        before = at;
+      }
+    }
+  }
+}
+
 TEST(OrderOnSegments, TakesNLogNComparisonsBothWaysRound) {
   const double count = 2 * static_cast<double>(teeth);
   const double allowed = 3 * count * std::log2(count);
