@@ -146,7 +146,8 @@ void add_manifolds(Figure& figure, const Tangle& tangle) {
 
 void add_boundary(Figure& figure, const Tangle& tangle, double area) {
   figure.layers.push_back(line_layer("boundary", "boundary, area " + rounded(area), palette::boundary, 2.4));
-  figure.layers.back().lines.push_back(polyline(boundary_outline(tangle), false));
+  // From saddle to saddle nothing is drawn, unless a path is given along which the region is closed: its last leg too.
+  figure.layers.back().lines.push_back(polyline(boundary_outline(tangle), !tangle.closure.empty()));
 }
 
 void add_saddles(Figure& figure, const Tangle& tangle, bool names) {

@@ -78,6 +78,11 @@ IndexedCurve indexed_curve(const Operation& operation, std::span<const Input> in
   return indexed;
 }
 
+bool is_indexed(std::span<const Input> inputs, std::size_t k) {
+  const CurveInput* const curve = given_curve(inputs[k]);
+  return curve != nullptr && curve->index != nullptr;
+}
+
 bool known_simple(std::span<const Input> inputs, std::size_t k) {
   const CurveInput* const curve = given_curve(inputs[k]);
   return curve != nullptr && curve->simple;

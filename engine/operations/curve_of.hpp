@@ -26,6 +26,8 @@ void require_inputs(const operations::Operation& operation, std::span<const oper
 /// validated; others are, DataError naming the input.
 [[nodiscard]] IndexedCurve indexed_curve(const operations::Operation& operation,
                                          std::span<const operations::Input> inputs, std::size_t k);
+/// Whether the index of input number k is given.
+[[nodiscard]] bool is_indexed(std::span<const operations::Input> inputs, std::size_t k);
 /// Whether input number k is known to be simple.
 [[nodiscard]] bool known_simple(std::span<const operations::Input> inputs, std::size_t k);
 /// The sums of input number k for the estimate of the discretisation, where they are known; else null.

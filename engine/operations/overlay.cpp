@@ -2,6 +2,7 @@
 #include "lober/overlay/overlay.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "engine/base/stopwatch.hpp"
 #include "engine/operations/curve_fields.hpp"
@@ -72,7 +73,10 @@ void add_classes(CurveOverlay& found) {
 
 Outcome run_overlay(std::span<const Input> inputs, const Options& options, const Context& context) {
   const Operation& operation = named("overlay");
+  std::optional<Stopwatch> index_watch;  // short jobs, whose curves are indexed, save the look at the clock
+  if (!is_indexed(inputs, 0) || !is_indexed(inputs, 1)) index_watch.emplace();
   const IndexedCurve c1 = indexed_curve(operation, inputs, 0), c2 = indexed_curve(operation, inputs, 1);
+  const double index_seconds = index_watch ? index_watch->seconds() : 0;
   OverlayHow how = overlay_options().how(options);
   how.pieces = !how.areas_only;
   how.progress = context.progress;
@@ -80,6 +84,8 @@ Outcome run_overlay(std::span<const Input> inputs, const Options& options, const
   if (known) how.check_simple = false;
   CurveOverlay found{overlay(c1, c2, how)};
   found.has_pieces = how.pieces;
+  found.timing.index += index_seconds;
+  found.timing.total += index_seconds;
   if (how.discretisation) {
     const DiscretisationSums *const first = known_sums(inputs, 0), *const second = known_sums(inputs, 1);
     found.discretisation = first != nullptr && second != nullptr ? discretisation_error(found, *first, *second)

@@ -148,3 +148,4 @@ def test_names_for_people(squares):
     assert repr(r.area).startswith("Areas(c1=4.0, c2=4.0, intersection=1.0, union=7.0")
     assert "rounding" in lober.interior(*squares)._repr_html_()
     assert set(r.timing) == {"index", "check", "crossings", "order", "areas", "total"}
+    assert 0 < r.timing["index"] < r.timing["total"]
