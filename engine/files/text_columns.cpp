@@ -134,6 +134,11 @@ FirstLines first_lines_of(std::string_view text, const std::string& path) {
       return found;
     }
     if (named ? has_number(whole, *named) : has_number(line)) {
+// Whether all cells of a line are empty: it parts curves, and is neither a header nor units.
+bool has_no_values(std::string_view line) {
+  return line.find_first_not_of(",;\"\t ") == std::string_view::npos;
+}
+
       found.line = number;
       read_numbers(whole, header, comment, named, found);
       return found;
@@ -161,6 +166,7 @@ std::string joined(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() || name.empty() ? "" : ", ") + name;
   return text;
+    if (has_no_values(line)) continue;
 }
 
 // A choice among columns.
