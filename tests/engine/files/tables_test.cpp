@@ -170,8 +170,8 @@ TEST(Tables, NamesOfCurves) {
     (void)read_curve(file + ":lon,lat,by=id", false);
     ADD_FAILURE() << "two zones, none chosen";
   } catch (const DataError& error) {
-    EXPECT_EQ(std::string(error.what()),
-              file + ": has 2 zones; choose one with " + file + ":lon,lat,by=id#0 to " + file + ":lon,lat,by=id#1");
+    EXPECT_EQ(std::string(error.what()), file + ": has 2 zones; choose one with " + file + ":lon,lat,by=id#0 to " +
+                                             file + ":lon,lat,by=id#1, or by its title: \"a\", \"b\"");
   }
   std::filesystem::remove(file);
   std::filesystem::remove(colon);
