@@ -16,8 +16,10 @@ void add_zones(std::vector<Zone>& zones, const std::string& title, const char* m
     std::string full = title;
     if (k > 0) append_all(full, " ", map, k);
     if (curve.cut) full += " cut";
-    if (!curve.image.closed || (!curve.complete && !curve.cut)) full += " open";
+    const bool closed = curve.image.closed && (curve.complete || curve.cut);
+    if (!closed) full += " open";
     zones.push_back({full, {curve.image.points.begin(), curve.image.points.end()}});
+    zones.back().closed = closed;
   }
 }
 

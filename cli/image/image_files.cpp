@@ -2,8 +2,6 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <algorithm>
-
 #include "cli/image/image_report.hpp"
 #include "cli/program/output_names.hpp"
 #include "cli/program/system_options.hpp"
@@ -21,14 +19,12 @@ void add_zones(std::vector<Zone>& zones, const std::string& name, const std::vec
     const Buffer<Point>& points = parts[k].points;
     zones.push_back({parts.size() == 1 ? name : fmt::format("{} part {} of {}", name, k + 1, parts.size()),
                      {points.begin(), points.end()}});
+    zones.back().closed = parts[k].closed;
   }
 }
 
 CurveFileOptions options_of(const ImageReport& report, const std::string& format) {
-  const auto& images = report.found().images;
-  const bool whole = std::all_of(images.begin(), images.end(), [](const auto& one) { return one.parts.size() == 1; });
   return {.format = format,
-          .closed = report.found().closed && whole,
           .notes = notes_of("image", report.outcome,
                             report.input ? std::vector{note_on(*report.input)} : std::vector<std::string>{},
                             system_note(*report.system.system)),
@@ -63,7 +59,9 @@ void write_images(const std::string& path, const std::string& format, const Imag
   CurveFileOptions options = options_of(report, format);
   if (path.find(iterate_placeholder) == std::string::npos) {
     if (!takes_several(path, format)) {
-      return write_curve_file(path, only_curve(report, path).points, options);
+      const ImagePart& only = only_curve(report, path);
+      options.closed = only.closed;
+      return write_curve_file(path, only.points, options);
     }
     std::vector<Zone> zones;
     for (const auto& one : report.found().images) add_zones(zones, one.name(), one.parts);
@@ -72,6 +70,7 @@ void write_images(const std::string& path, const std::string& format, const Imag
   options.zone_lines = ZoneLines::where_needed;
   for (const auto& one : report.found().images) {
     for (std::size_t part = 0; part < one.parts.size(); ++part) {
+      options.closed = one.parts[part].closed;
       write_curve_file(image_path(path, one.image.iterate, one.curve, one.parts.size() == 1 ? 0 : part + 1),
                        one.parts[part].points, options);
     }

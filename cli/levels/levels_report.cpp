@@ -40,19 +40,17 @@ std::string levels_table(const LevelsReport& report) {
 
 void write_levels(const std::string& path, const std::string& format, const LevelsReport& report) {
   std::vector<Zone> zones;
-  bool all_closed = true;
   for (const operations::SystemLevel& level : report.result().levels) {
     for (std::size_t k = 0; k < level.curves.size(); ++k) {
       const LevelCurve& curve = level.curves[k];
       zones.push_back(
           {fmt::format("energy {} curve {} {}", level.value, k, curve.closed ? "closed" : "open"), curve.points});
       zones.back().numbers = {{"energy", level.value}};
-      all_closed = all_closed && curve.closed;
+      zones.back().closed = curve.closed;
     }
   }
   write_curve_file(path, zones,
                    {.format = format,
-                    .closed = all_closed,
                     .notes = notes_of("levels", report.outcome, {}, system_note(report.system)),
                     .zone_lines = ZoneLines::always});
 }

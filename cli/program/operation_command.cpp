@@ -66,6 +66,11 @@ bool is_closed(InputKind kind, const operations::Options& options) {
   return options.find("closed") != nullptr && options.flag("closed");
 }
 
+// Whether the curve that comes out is closed: as the one that it is made of.
+bool result_is_closed(const operations::Operation& operation, const operations::Options& options) {
+  return !operation.inputs.empty() && is_closed(operation.inputs.front().kind, options);
+}
+
 OperationInputs read_inputs(const operations::Operation& operation, const OperationRequest& request,
                             const operations::Options& options, Progress& progress) {
   OperationInputs read;
@@ -145,6 +150,7 @@ void run(const operations::Operation& operation, const OperationRequest& request
     write_curve_file(
         request.output, std::get<std::vector<Point>>(curve_of_result(operation)->get(outcome.value.get())),
         {.format = request.format,
+         .closed = result_is_closed(operation, options),
          .notes = notes_of(command_name(operation), outcome, notes_on(read.curves), system_in(read.inputs))});
   }
   if (!request.html.empty()) {

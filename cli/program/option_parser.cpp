@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <set>
 #include <type_traits>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "cli/program/wrapped_text.hpp"
 #include "cli/report/text.hpp"
 #include "engine/base/nearest_word.hpp"
+#include "engine/files/curve_spec.hpp"
 #include "lober/base/error.hpp"
 
 namespace lober::cli {
@@ -42,6 +44,10 @@ bool looks_like_option(const std::string& argument) {
 // Names an argument that the command does not know, and the option that is spelled nearly like it.
 std::string about_unknown(const CLI::App& app, const std::string& argument) {
   if (!looks_like_option(argument)) return "unexpected argument " + quoted(argument);
+  std::error_code ignored;
+  if (std::filesystem::exists(detail::file_of_curve(argument), ignored)) {
+    return "there is no option " + argument + "; the file of that name is ./" + argument;
+  }
   const std::string name = argument.substr(0, argument.find('='));
   std::vector<std::string> words;  // without the dashes, which would count as letters that are right
   for (const CLI::Option* const option : app.get_options()) {
@@ -78,8 +84,11 @@ std::string message_of(const CLI::App& app, const CLI::ParseError& error) {
   };
   // The value behind an option that is misspelt is taken for another argument, and the option may be missing.
   const std::vector<std::string> unknown = app.remaining();
-  const auto misspelt = std::find_if(unknown.begin(), unknown.end(), looks_like_option);
-  if (misspelt != unknown.end()) return about_unknown(app, *misspelt);
+  const auto mark = std::find(unknown.begin(), unknown.end(), "--");
+  const auto misspelt = std::find_if(unknown.begin(), mark, looks_like_option);
+  if (misspelt != mark) return about_unknown(app, *misspelt);
+  const auto behind = std::find_if(mark, unknown.end(), [](const std::string& argument) { return argument != "--"; });
+  if (behind != unknown.end()) return "unexpected argument " + quoted(*behind) + " behind --, which ends the options";
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
     return unknown.empty() ? sentence : about_unknown(app, unknown.front());
   }

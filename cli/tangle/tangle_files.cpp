@@ -33,7 +33,7 @@ void write_tangle_lobes(const std::string& path, const TangleReport& report, con
 void write_tangle_boundary(const std::string& path, const TangleReport& report, const std::string& format) {
   std::vector<Zone> zones;
   if (report.result().boundary) zones.push_back({"boundary", boundary_outline(report.result())});
-  write_curve_file(path, zones, options_of(report, format, false));
+  write_curve_file(path, zones, options_of(report, format, true));
 }
 
 void write_tangle_pips(const std::string& path, const TangleReport& report, const std::string& format) {

@@ -132,8 +132,10 @@ NamedCurve read_curve(const std::string& spec, bool closed, const ReadOptions& o
   const bool chosen = parts.zone.has_value();
   if (!chosen && result.zones > 1) {
     const std::string before = parts.columns.empty() ? path : path + ":" + parts.columns;
-    throw DataError(path + ": has " + std::to_string(result.zones) + " zones; choose one with " +
-                    ZoneNames(file).range(before));
+    const ZoneNames names(file);
+    const std::string titles = names.titles();
+    throw DataError(path + ": has " + std::to_string(result.zones) + " zones; choose one with " + names.range(before) +
+                    (titles.empty() ? "" : ", or by its title: " + titles));
   }
   {
     const ZoneNames names(file);

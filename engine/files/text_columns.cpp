@@ -23,6 +23,7 @@ struct FirstLines {
   std::size_t line = 0;     // number of the first line with numbers, counted from 1; 0 if there is none
   std::size_t skipped = 0;  // bytes of a line that names the separator
   bool has_decimal_commas = false;
+  std::size_t pairs = 0;  // more than two pairs of numbers with commas, which blanks part; 0 for other lines
   bool is_tecplot = false;
 };
 
@@ -48,6 +49,24 @@ bool has_decimal_commas(std::string_view line) {
     if (parse_number(field, ignored) == NumberKind::not_a_number) return false;
   }
   return found && fields > 1;
+}
+
+// The number of pairs in a line of several points, "0,0 1,0 1,1", which looks as one of decimals with commas does. Two
+// of them are taken for x and y, and as many as the header has names for its columns.
+std::size_t pairs_in(std::string_view line, std::string_view header) {
+  constexpr std::size_t least = 3;
+  line = line.substr(0, line.find('#'));
+  if (line.find(';') != std::string_view::npos) return 0;
+  std::size_t pairs = 0;
+  while (!line.empty()) {
+    const std::size_t size = std::min(line.find_first_of(" \t\r"), line.size());
+    const std::string_view field = line.substr(0, size);
+    line.remove_prefix(std::min(size + 1, line.size()));
+    if (field.empty()) continue;
+    if (field.find(',') == std::string_view::npos) return 0;
+    ++pairs;
+  }
+  return pairs < least || pairs == cells_of(header, Separator::blanks).size() ? 0 : pairs;
 }
 
 // Takes the next line of `text`.
@@ -109,9 +128,15 @@ void read_numbers(std::string_view line, std::string_view header, std::string_vi
   found.cells = cells_of(cut, found.separator, columns);
   const bool commas_part = named == Separator::comma || (!named && both == candidates.begin());
   found.has_decimal_commas = !commas_part && has_decimal_commas(without_blanks(line));
+  if (found.has_decimal_commas) found.pairs = pairs_in(line, header);
   found.names = names_in(header.empty() ? comment : header, found.separator, found.cells.size());
   // The names of rows have none, as R writes them.
   if (!header.empty() && found.names.size() + 1 == found.cells.size()) found.names.insert(found.names.begin(), "");
+}
+
+// Whether all cells of a line are empty: it parts curves, and is neither a header nor units.
+bool has_no_values(std::string_view line) {
+  return line.find_first_not_of(",;\"\t ") == std::string_view::npos;
 }
 
 FirstLines first_lines_of(std::string_view text, const std::string& path) {
@@ -141,6 +166,7 @@ FirstLines first_lines_of(std::string_view text, const std::string& path) {
     if (is_open(cells_of(line, named.value_or(Separator::comma)).back())) {
       SourceLocation{path, number}.fail("quotes do not end on their line: " + quoted_text(line));
     }
+    if (has_no_values(line)) continue;
     const Separator separator = named.value_or(separator_of(header));
     const bool are_units = !header.empty() && !has_units && cells_of(whole, separator).size() > 2 &&
                            cells_of(whole, separator).size() == cells_of(header, separator).size();
@@ -247,6 +273,11 @@ TableHead read_table_head(std::string_view text, std::string_view choice, const 
     return head;
   }
   const std::size_t count = lines.cells.size();
+  if (lines.pairs > 0) {
+    SourceLocation{path, lines.line}.fail("this line has " + std::to_string(lines.pairs) +
+                                          " pairs of numbers; each point needs a line of its own, as tr -s "
+                                          "'[:blank:]' '\\n' makes it; decimals begin with a point");
+  }
   if (lines.has_decimal_commas) {
     SourceLocation{path, lines.line}.fail(
         "commas separate columns here, and decimals begin with a point; write the numbers with points, as sed "

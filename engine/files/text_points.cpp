@@ -77,11 +77,11 @@ bool is_nan(std::string_view token) {
   return token.size() == 3 && is(0, 'n') && is(1, 'a') && is(2, 'n');
 }
 
-// A line that parts two curves: both coordinates are NaN, or empty where there are other columns.
+// A line that parts two curves: both coordinates are NaN, or empty.
 bool is_gap(const std::vector<std::string_view>& cells, const TextColumns& columns) {
   if (cells.size() != columns.count) return false;
   const std::string_view x = inside_quotes(cells[columns.x]), y = inside_quotes(cells[columns.y]);
-  return (is_nan(x) && is_nan(y)) || (!columns.are_all() && x.empty() && y.empty());
+  return (is_nan(x) && is_nan(y)) || (!columns.is_tecplot && x.empty() && y.empty());
 }
 
 // A line with more columns than the two that are wanted. Returns its fault, or an empty string.
@@ -128,7 +128,8 @@ class ChunkReader {
     const bool is_quoted = line.front() == '"' && !columns_.is_tecplot;
     Point point;
     if (!begins_number(line.front()) && !is_quoted) {
-      const bool gap = (line.front() == 'n' || line.front() == 'N') && is_gap(cut(line), columns_);
+      const bool may_be_gap = line.front() == 'n' || line.front() == 'N' || is_separator(line.front());
+      const bool gap = may_be_gap && is_gap(cut(line), columns_);
       return note(gap ? OtherLine::Kind::gap : OtherLine::Kind::text, line);
     }
     std::string message = parse_point_line(line, point);

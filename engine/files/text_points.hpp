@@ -30,7 +30,7 @@ struct OtherLine {
   enum class Kind : std::uint8_t {
     text,   ///< does not begin like a number, and is neither blank nor a comment
     blank,  ///< no characters but blanks
-    gap,    ///< both coordinates are NaN
+    gap,    ///< both coordinates are NaN or empty
     group,  ///< `text` is the cell with the group of the points from here on
   };
   Kind kind = Kind::text;

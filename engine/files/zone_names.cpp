@@ -7,6 +7,7 @@
 
 #include "engine/base/nearest_word.hpp"
 #include "engine/files/number.hpp"
+#include "engine/files/text_cells.hpp"
 #include "lober/base/error.hpp"
 
 namespace lober {
@@ -58,6 +59,21 @@ std::string ZoneNames::range(const std::string& path) const {
   return one(0) + " to " + one(file_.zones.size() - 1);
 }
 
+std::string ZoneNames::titles() const {
+  constexpr std::size_t max_named = 8;
+  std::string text;
+  std::size_t count = 0;
+  bool are_positions = true;
+  for (std::size_t k = 0; k < file_.zones.size(); ++k) {
+    const std::string& title = file_.zones[k].title;
+    are_positions = are_positions && title == std::to_string(k);
+    if (title.empty() || titled_.at(title).first != k) continue;
+    if (++count <= max_named) text += (count == 1 ? "" : ", ") + quoted_text(title);
+  }
+  if (are_positions) return {};
+  return count > max_named ? text + " and " + std::to_string(count - max_named) + " more" : text;
+}
+
 std::size_t ZoneNames::find(const std::string& choice) const {
   const std::size_t zones = file_.zones.size();
   const auto fail = [&](const std::string& message) { throw DataError(file_.path + ": " + message); };
@@ -67,9 +83,11 @@ std::size_t ZoneNames::find(const std::string& choice) const {
   }
   const auto found = titled_.find(choice);
   if (found == titled_.end()) {
-    std::vector<std::string> titles;
-    for (const Zone& zone : file_.zones) titles.push_back(zone.title);
-    fail("has no zone titled \"" + choice + "\"" + did_you_mean(choice, titles));
+    std::vector<std::string> known;
+    for (const Zone& zone : file_.zones) known.push_back(zone.title);
+    std::string remedy = did_you_mean(choice, known);
+    if (remedy.empty()) remedy = titles().empty() ? ", only " + range(file_.path) : "; there are " + titles();
+    fail("has no zone titled \"" + choice + "\"" + remedy);
   }
   if (found->second.count > 1) {
     fail("has several zones titled \"" + choice + "\"; choose one of " + range(file_.path));

@@ -3,8 +3,10 @@
 import csv
 import gzip
 import json
+import re
 import subprocess
 import warnings
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -183,6 +185,25 @@ def test_netcdf(tmp_path, form):
     zones = lober.read_zones(tmp_path / "f.nc").zones
     assert len(zones) == 12  # a row is a curve: here one of two points for each time
     assert zones[3].points.tolist() == [ring(12)[3].tolist(), ring(12, (1, 1))[3].tolist()]
+
+
+def test_pandas_as_the_document_calls_it(tmp_path):
+    """Files of one curve have no row of names, files of several have one."""
+    pandas = pytest.importorskip("pandas")
+    document = (Path(__file__).parents[2] / "docs" / "reference" / "formats.md").read_text()
+    paragraph = next(part for part in document.split("\n\n") if "reads csv of one curve" in part)
+    option = re.search(r"`(float_precision=[^`]*)`", paragraph)[1]
+    one, several = (f"{call}, {option})" for call in re.findall(r"`(pandas\.read_csv\([^`]*)\)`", paragraph))
+    first, second = CURVES.values()
+    notes = {"source": "a test"}
+    lober.write(tmp_path / "one.csv", first, notes=notes)
+    table = eval(one, {"pandas": pandas, "FILE": tmp_path / "one.csv"})
+    assert list(table) == ["x", "y"] and np.array_equal(table.to_numpy(), first)
+    lober.write(tmp_path / "two.csv", CURVES, notes=notes)
+    table = eval(several, {"pandas": pandas, "FILE": tmp_path / "two.csv"})
+    assert list(table) == ["x", "y", "curve"]
+    for number, curve in enumerate((first, second)):
+        assert np.array_equal(table[table["curve"] == number][["x", "y"]].to_numpy(), curve)
 
 
 def test_geopandas(tmp_path):

@@ -51,6 +51,14 @@ TEST_F(EscapeProgram, WritesCurvesThatGiveTheTable) {
   EXPECT_NEAR(fraction("entrance left f^2", "exit left f^-3"), 0.029905210198, 1e-4);
   EXPECT_EQ(fraction("entrance left", "exit right"), 0);
   EXPECT_NE(read("curves.dat").find("orbit left"), std::string::npos);
+  ASSERT_EQ(run({"escape", "capsize", "--energy", "0.25307", "--crossings", "2", "--tolerance", "1e-4", "--monte-carlo",
+                 "0", "--curves", "curves.geojson"})
+                .status,
+            0);
+  for (const Json& feature : Json::parse(read("curves.geojson"))["features"]) {
+    const std::string name = feature["properties"]["name"];
+    EXPECT_EQ(feature["geometry"]["type"], name.starts_with("orbit") ? "LineString" : "Polygon") << name;
+  }
   const Outcome refused = run({"escape", "capsize", "--curves", "curves.npy"});
   EXPECT_EQ(refused.status, 2);
   EXPECT_NE(refused.err.find("--curves writes several curves"), std::string::npos) << refused.err;

@@ -25,6 +25,25 @@ TEST_F(LevelsProgram, DrawsTheSeparatrix) {
   EXPECT_NE(read("lines.svg").find("through a saddle, H = 0"), std::string::npos);
 }
 
+// Closed curves are polygons beside open ones.
+TEST_F(LevelsProgram, WritesPolygonsAndLines) {
+  const auto count = [&](const std::string& file, const std::string& word) {
+    const std::string text = read(file);
+    std::size_t found = 0;
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++found;
+    return found;
+  };
+  for (const char* const file : {"levels.dat", "levels.wkt"}) {
+    const Outcome outcome = run({"levels", "pendulum", "--grid", "60,50", "-o", file});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+  }
+  const std::size_t closed = count("levels.dat", " closed\""), open = count("levels.dat", " open\"");
+  EXPECT_GT(closed, 0U);
+  EXPECT_GT(open, 0U);
+  EXPECT_EQ(count("levels.wkt", "\nPOLYGON (("), closed);
+  EXPECT_EQ(count("levels.wkt", "\nLINESTRING ("), open);
+}
+
 // Below the saddles the well is closed, above them it is not.
 TEST_F(LevelsProgram, FindsHillsRegion) {
   const auto closed = [&](const char* energy) {

@@ -100,6 +100,22 @@ TEST_F(OperationCommand, WritesTheCurveThatComesOut) {
   EXPECT_EQ(run({"regions", "square", "-o", "x.csv"}).status, 2);  // there is no such curve
 }
 
+// In formats that tell polygons from lines.
+TEST_F(OperationCommand, ClosedCurvesAreWrittenAsPolygons) {
+  write_curve("square", box(0, 0, 1, 1));
+  for (const bool closed : {true, false}) {
+    for (const char* const file : {"q.wkt", "q.geojson", "q.vtp"}) {
+      std::vector<std::string> arguments{"simplify", "square", "--tolerance", "0", "-o", file};
+      if (!closed) arguments.emplace_back("--no-closed");
+      const Outcome found = run(arguments);
+      EXPECT_EQ(found.status, 0) << found.err;
+    }
+    EXPECT_NE(read("q.wkt").find(closed ? "\nPOLYGON ((" : "\nLINESTRING ("), std::string::npos) << read("q.wkt");
+    EXPECT_NE(read("q.geojson").find(closed ? "\"Polygon\"" : "\"LineString\""), std::string::npos);
+    EXPECT_NE(read("q.vtp").find(closed ? "NumberOfPolys=\"1\"" : "NumberOfPolys=\"0\""), std::string::npos);
+  }
+}
+
 // Both forms of a sweep end alike.
 TEST_F(OperationCommand, ValuesThatFailAreInTheStatus) {
   const std::string range = "k=-2:1:3";  // at -2 there is no saddle

@@ -46,6 +46,29 @@ TEST_F(Options, AreRefusedInOneSentence) {
   }
 }
 
+// A file whose name begins with '-' is named by ./ or behind --.
+TEST_F(Options, FilesWhoseNamesBeginWithADash) {
+  write_curve("-dash", box(0, 0, 1, 1));
+  write_curve("square", box(0, 0, 1, 1));
+  EXPECT_EQ(run({"overlay", "square", "./-dash"}).status, 0);
+  EXPECT_EQ(run({"overlay", "--areas-only", "--", "-dash", "square"}).status, 0);
+  const auto refused = [&](const std::vector<std::string>& arguments, const std::string& message) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(outcome.err, "lober: " + message + "\n");
+  };
+  refused({"overlay", "-dash", "square"},
+          "there is no option -dash; the file of that name is ./-dash (see lober overlay --help)");
+  refused({"overlay", "square", "-dash#0"},
+          "there is no option -dash#0; the file of that name is ./-dash#0 (see lober overlay --help)");
+  refused({"winding", "--", "-dash", "--at", "0.5,0.5"},
+          "unexpected argument \"--at\" behind --, which ends the options (see lober winding --help)");
+  refused({"simplify", "--", "-dash", "--tolerance", "0"},
+          "unexpected argument \"--tolerance\" behind --, which ends the options (see lober simplify --help)");
+  refused({"overlay", "--bogus", "--", "-dash", "square"}, "there is no option --bogus (see lober overlay --help)");
+  refused({"overlay", "--", "-dash"}, "C2 is missing (see lober overlay --help)");
+}
+
 // Each in a folder with the examples, and with a manifest job.toml and the store of its second shard.
 TEST_F(Options, ExamplesOfTheHelpRun) {
   std::filesystem::create_directory_symlink(std::filesystem::path(LOBER_SOURCE_DIR) / "examples",

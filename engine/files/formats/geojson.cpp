@@ -286,13 +286,14 @@ std::string geojson_bytes(std::span<const Zone> zones, const WriteOptions& optio
       append_json_number(text, number);
     }
     text += "},\"geometry\":{\"type\":\"";
-    text += options.closed ? "Polygon\",\"coordinates\":[" : "LineString\",\"coordinates\":";
-    append_positions(text, zone, options.closed);
-    for (++k; options.closed && k < zones.size() && zones[k].hole; ++k) {
+    const bool closed = is_closed(zone, options);
+    text += closed ? "Polygon\",\"coordinates\":[" : "LineString\",\"coordinates\":";
+    append_positions(text, zone, closed);
+    for (++k; closed && k < zones.size() && zones[k].hole; ++k) {
       text += ',';
       append_positions(text, zones[k], true);
     }
-    text += options.closed ? "]}}" : "}}";
+    text += closed ? "]}}" : "}}";
   }
   return text + "\n]}\n";
 }

@@ -34,6 +34,11 @@ void read_shapefile(const FileSource& source, CurveFile& file);
 /// Whether text begins with a geometry in WKT, perhaps behind comments.
 [[nodiscard]] bool is_wkt(std::string_view text);
 
+/// Whether a zone is written as closed.
+[[nodiscard]] inline bool is_closed(const Zone& zone, const WriteOptions& options) {
+  return zone.closed.value_or(options.closed);
+}
+
 /// The bytes of a file. Coordinates are finite (write_curves asks).
 [[nodiscard]] std::string npz_bytes(std::span<const Zone> zones, const WriteOptions& options);
 [[nodiscard]] std::string geojson_bytes(std::span<const Zone> zones, const WriteOptions& options);

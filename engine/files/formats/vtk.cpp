@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <numeric>
 
 #include "engine/base/text.hpp"
 #include "engine/base/utf8.hpp"
@@ -63,23 +64,44 @@ void append_texts(std::string& text, std::string_view name, const std::vector<st
   text += "</Array>\n";
 }
 
+// The points of cells of one kind, one cell after the other, and where each cell ends.
+struct CellPoints {
+  std::vector<std::int64_t> connectivity, offsets;
+};
+
+void append_cells(std::string& text, const std::string& kind, const CellPoints& cells) {
+  if (cells.offsets.empty()) return;
+  text += "<" + kind + ">\n";
+  append_array(text, "Int64", "connectivity", cells.connectivity);
+  append_array(text, "Int64", "offsets", cells.offsets);
+  text += "</" + kind + ">\n";
+}
+
 }  // namespace
 
 std::string vtk_bytes(std::span<const Zone> zones, const WriteOptions& options) {
+  // All lines are before all polygons, in the data of cells too.
+  std::vector<std::size_t> cells(zones.size());
+  std::iota(cells.begin(), cells.end(), std::size_t{0});
+  const auto first_polygon =
+      std::stable_partition(cells.begin(), cells.end(), [&](std::size_t k) { return !is_closed(zones[k], options); });
+  const auto lines = static_cast<std::size_t>(first_polygon - cells.begin());
   std::vector<double> points;
-  std::vector<std::int64_t> connectivity, offsets, curve, hole;
+  std::vector<std::int64_t> curve, hole;
   std::vector<std::string> titles;
-  for (const Zone& zone : zones) {
+  CellPoints of_lines, of_polygons;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    const Zone& zone = zones[cells[k]];
+    CellPoints& kind = k < lines ? of_lines : of_polygons;
     for (const Point& point : zone.points) {
-      connectivity.push_back(static_cast<std::int64_t>(connectivity.size()));
+      kind.connectivity.push_back(static_cast<std::int64_t>(points.size() / 3));
       points.insert(points.end(), {point.x, point.y, 0.0});
     }
-    offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
-    curve.push_back(static_cast<std::int64_t>(curve.size()));
+    kind.offsets.push_back(static_cast<std::int64_t>(kind.connectivity.size()));
+    curve.push_back(static_cast<std::int64_t>(cells[k]));
     hole.push_back(zone.hole ? 1 : 0);
     titles.push_back(as_utf8(zone.title));
   }
-  const auto count = [](const auto& list) { return std::to_string(list.size()); };
   std::string text =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
       "header_type=\"UInt64\">\n<PolyData>\n";
@@ -88,21 +110,24 @@ std::string vtk_bytes(std::span<const Zone> zones, const WriteOptions& options) 
     append_texts(text, "provenance", {provenance_text(options)});
     text += "</FieldData>\n";
   }
-  const std::string lines = options.closed ? "0" : count(zones), polygons = options.closed ? count(zones) : "0";
-  text += "<Piece NumberOfPoints=\"" + count(connectivity) + "\" NumberOfVerts=\"0\" NumberOfLines=\"" + lines +
-          "\" NumberOfStrips=\"0\" NumberOfPolys=\"" + polygons + "\">\n<CellData>\n";
+  text += "<Piece NumberOfPoints=\"" + std::to_string(points.size() / 3) + "\" NumberOfVerts=\"0\" NumberOfLines=\"" +
+          std::to_string(lines) + "\" NumberOfStrips=\"0\" NumberOfPolys=\"" + std::to_string(cells.size() - lines) +
+          "\">\n<CellData>\n";
   append_array(text, "Int64", "curve", curve);
   append_array(text, "Int64", "hole", hole);
   append_texts(text, "title", titles);
   for (const std::string& name : names_of_numbers(zones)) {
-    append_array(text, "Float64", name, numbers_called(name, zones));
+    const std::vector<double> by_zone = numbers_called(name, zones);
+    std::vector<double> by_cell;
+    by_cell.reserve(cells.size());
+    for (const std::size_t zone : cells) by_cell.push_back(by_zone[zone]);
+    append_array(text, "Float64", name, by_cell);
   }
   text += "</CellData>\n<Points>\n";
   append_array(text, "Float64", "points", points, 3);
-  text += options.closed ? "</Points>\n<Polys>\n" : "</Points>\n<Lines>\n";
-  append_array(text, "Int64", "connectivity", connectivity);
-  append_array(text, "Int64", "offsets", offsets);
-  text += options.closed ? "</Polys>\n" : "</Lines>\n";
+  text += "</Points>\n";
+  append_cells(text, "Lines", of_lines);
+  append_cells(text, "Polys", of_polygons);
   return text + "</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 

@@ -258,10 +258,10 @@ void append_ring(std::string& text, const Zone& zone, bool closed) {
 std::string wkt_bytes(std::span<const Zone> zones, const WriteOptions& options) {
   std::string text = comment_lines(options);
   for (std::size_t k = 0; k < zones.size();) {
-    const bool has_brackets = options.closed && !zones[k].points.empty();
-    text += options.closed ? "POLYGON " : "LINESTRING ";
+    const bool closed = is_closed(zones[k], options), has_brackets = closed && !zones[k].points.empty();
+    text += closed ? "POLYGON " : "LINESTRING ";
     if (has_brackets) text += '(';
-    append_ring(text, zones[k], options.closed);
+    append_ring(text, zones[k], closed);
     for (++k; has_brackets && k < zones.size() && zones[k].hole; ++k) {
       text += ", ";
       append_ring(text, zones[k], true);

@@ -44,6 +44,8 @@ struct Zone {
   bool hole = false;          ///< a hole in the last zone before it that is none
   /// Numbers that belong to it, such as {"area", 0.5}: into formats that have room for them. Not read.
   std::vector<std::pair<std::string, double>> numbers = {};
+  /// Whether it is closed, for formats that tell polygons from lines. Nothing: as WriteOptions::closed says. Not read.
+  std::optional<bool> closed = {};
 };
 
 /// The zones of a file.

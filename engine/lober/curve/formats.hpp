@@ -35,7 +35,8 @@ struct FormatInfo {
 /// How curves are written.
 struct WriteOptions {
   std::optional<Format> format = {};  ///< nothing: by the ending of the name
-  bool closed = false;                ///< curves are closed, so that formats that tell the two apart hold polygons
+  /// Whether curves are closed that do not say it themselves (Zone::closed): polygons, in formats that have them.
+  bool closed = false;
   ZoneLines zone_lines = ZoneLines::where_needed;  ///< those of a Tecplot file
   /// Notes on where the file comes from, such as {"version", "0.3.0"}, {"input 1", "a.csv sha256 ..."}: into formats
   /// that have room for it (all but NPY and raw float64), in tables of text as comments before the first line.

@@ -27,6 +27,9 @@ class ZoneNames {
   /// "FILE#0 to FILE#5", for messages: ids where they are numbers, else positions; `path` may have columns behind the
   /// file.
   [[nodiscard]] LOBER_API std::string range(const std::string& path) const;
+  /// The titles of zones, each once, for messages: "\"a\", \"b\" and 3 more", where eight are named at most. Empty
+  /// where zones have no titles but their positions.
+  [[nodiscard]] LOBER_API std::string titles() const;
 
  private:
   struct Titled {

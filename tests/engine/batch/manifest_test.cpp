@@ -92,7 +92,8 @@ TEST_F(ManifestTest, CurvesOfGroupsGoByTheIdThatReadsThemBack) {
   EXPECT_EQ(chosen.curves[1].name(), "ids.csv:x,y,by=id#1");
   // The content is the same as before names were ids: results of older stores are found.
   EXPECT_TRUE(digests_of({chosen.curves[0]}, path("job.toml")).at(0).ends_with(":x,y,by=id#1"));
-  EXPECT_EQ(refusal(head + "\"ids.csv:x,y,by=id#2\""), "job.toml:2: curves: ids.csv has no zone titled \"2\"");
+  EXPECT_EQ(refusal(head + "\"ids.csv:x,y,by=id#2\""),
+            "job.toml:2: curves: ids.csv has no zone titled \"2\"; there are \"9\", \"0\", \"1\"");
 }
 
 // Titles that name no curve alone are not names.
@@ -199,7 +200,7 @@ TEST_F(ManifestTest, RefusalsNameLineAndKey) {
   EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.0\""),
             "job.toml:2: curves: this gives no pair of curves");
   EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"zones.dat#three\""),
-            "job.toml:2: curves: zones.dat has no zone titled \"three\"");
+            "job.toml:2: curves: zones.dat has no zone titled \"three\"; there are \"one\", \"two\"");
   EXPECT_EQ(refusal("operation = \"overlay\"\nsystem = \"standard\"").substr(0, 18), "job.toml:2: system");
   EXPECT_EQ(refusal("operation = \"tangle\"\ncurves = \"separ.*\"\nclosed = true"),
             "job.toml:3: closed: tangle takes open curves");

@@ -208,12 +208,38 @@ TEST_F(Files, ZonesAreChosenByNumberOrTitle) {
   EXPECT_EQ(read_curve(file + "#a", false).curve.points.size(), 4U);
   EXPECT_EQ(read_curve(file + "#b#1", true).curve.points[1].x, 2);
   EXPECT_EQ(read_curve(file + "#2", true).zone, 2U);
-  EXPECT_EQ(read_curve_error(file), file + ": has 4 zones; choose one with " + file + "#0 to " + file + "#3");
+  EXPECT_EQ(read_curve_error(file), file + ": has 4 zones; choose one with " + file + "#0 to " + file +
+                                        "#3, or by its title: \"a\", \"b#1\", \"b\"");
   EXPECT_EQ(read_curve_error(file + "#4"), file + ": has no zone 4, only " + file + "#0 to " + file + "#3");
-  EXPECT_EQ(read_curve_error(file + "#c"), file + ": has no zone titled \"c\"");
+  EXPECT_EQ(read_curve_error(file + "#c"), file + ": has no zone titled \"c\"; there are \"a\", \"b#1\", \"b\"");
   EXPECT_EQ(read_curve_error(file + "#b"),
             file + ": has several zones titled \"b\"; choose one of " + file + "#0 to " + file + "#3");
   EXPECT_EQ(read_curve_error(path("missing") + "#1"), path("missing") + ": No such file or directory");
+}
+
+// Eight of them at most, and no control characters.
+TEST_F(Files, TitlesOfZonesAreNamed) {
+  std::string text;
+  for (const char* const title : {"a\tb", "b", "c", "d", "e", "f", "g", "h", "i", "j"}) {
+    text += std::string("> ") + title + "\n0 0\n1 0\n0 1\n";
+  }
+  const std::string many = put("many", text);
+  const std::string eight = R"("a?b", "b", "c", "d", "e", "f", "g", "h")";
+  EXPECT_EQ(read_curve_error(many), many + ": has 10 zones; choose one with " + many + "#0 to " + many +
+                                        "#9, or by its title: " + eight + " and 2 more");
+  EXPECT_EQ(read_curve_error(many + "#xyz"), many + ": has no zone titled \"xyz\"; there are " + eight + " and 2 more");
+  const std::string week = put("week", "> monday\n0 0\n1 0\n0 1\n> friday\n0 0\n1 0\n0 1\n");
+  EXPECT_EQ(read_curve_error(week + "#tuesday"),
+            week + ": has no zone titled \"tuesday\"; there are \"monday\", \"friday\"");
+  EXPECT_EQ(read_curve_error(week + "#frday"), week + ": has no zone titled \"frday\"; did you mean friday?");
+  // Without titles, or with no others than positions, there is nothing to name.
+  const std::string plain = put("plain", "0 0\n1 0\n0 1\n\n0 0\n1 0\n0 1\n");
+  EXPECT_EQ(read_curve_error(plain), plain + ": has 2 zones; choose one with " + plain + "#0 to " + plain + "#1");
+  EXPECT_EQ(read_curve_error(plain + "#a"),
+            plain + ": has no zone titled \"a\", only " + plain + "#0 to " + plain + "#1");
+  const std::string numbered = put("numbered", "x,y,curve\n0,0,0\n1,0,0\n0,1,0\n0,0,1\n1,0,1\n0,1,1\n");
+  EXPECT_EQ(read_curve_error(numbered),
+            numbered + ": has 2 zones; choose one with " + numbered + "#0 to " + numbered + "#1");
 }
 
 TEST_F(Files, ANameWithTheMarkIsFoundFirst) {

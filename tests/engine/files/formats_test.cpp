@@ -234,6 +234,44 @@ TEST_F(WrittenFormats, TabsWhereTheEndingPromisesThem) {
   }
 }
 
+// Each curve is what it says; the others are what the options say.
+TEST_F(WrittenFormats, PolygonsAndLinesInOneFile) {
+  std::vector<Zone> zones{{"ring", first}, {"line", moved()}, {"other", first}};
+  zones[0].closed = true;
+  zones[1].closed = false;
+  for (std::size_t k = 0; k < zones.size(); ++k) zones[k].numbers = {{"energy", 1.0 * static_cast<double>(k)}};
+  for (const bool closed : {false, true}) {
+    const std::string other = closed ? "POLYGON" : "LINESTRING";
+    write_curves(path("m.wkt"), zones, {.closed = closed});
+    const std::string wkt = content(path("m.wkt"));
+    EXPECT_TRUE(wkt.starts_with("POLYGON ((")) << wkt;
+    EXPECT_NE(wkt.find("\nLINESTRING ("), std::string::npos) << wkt;
+    EXPECT_NE(wkt.find("\n" + other + " (", wkt.find("LINESTRING") + 1), std::string::npos) << wkt;
+    write_curves(path("m.geojson"), zones, {.closed = closed});
+    const std::string json = content(path("m.geojson"));
+    const auto count = [](const std::string& text, const std::string& word) {
+      std::size_t found = 0;
+      for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++found;
+      return found;
+    };
+    EXPECT_EQ(count(json, "\"Polygon\""), closed ? 2U : 1U) << json;
+    EXPECT_EQ(count(json, "\"LineString\""), closed ? 1U : 2U) << json;
+    write_curves(path("m.vtp"), zones, {.closed = closed});
+    const std::string vtk = content(path("m.vtp"));
+    EXPECT_NE(vtk.find(closed ? "NumberOfLines=\"1\"" : "NumberOfLines=\"2\""), std::string::npos) << vtk;
+    EXPECT_NE(vtk.find(closed ? "NumberOfPolys=\"2\"" : "NumberOfPolys=\"1\""), std::string::npos) << vtk;
+    // Data of cells: lines come first. "108" is the first letter of "line", "114" that of "ring".
+    EXPECT_LT(vtk.find(">108 105 "), vtk.find("114 105 110 103 0 ")) << vtk;
+    for (const char* const name : {"m.wkt", "m.geojson"}) {
+      const CurveFile file = read_curve_file(path(name));
+      ASSERT_EQ(file.zones.size(), 3U);
+      EXPECT_EQ(file.zones[0].points.size(), first.size() + 1);
+      EXPECT_EQ(file.zones[1].points.size(), first.size());
+      EXPECT_EQ(file.zones[2].points.size(), first.size() + (closed ? 1 : 0));
+    }
+  }
+}
+
 TEST_F(WrittenFormats, CurvesWithoutPointsAreEmptyInWkt) {
   for (const bool closed : {false, true}) {
     write_curves(path("e.wkt"), std::vector<Zone>{{"a", {}}, {"b", first}}, {.closed = closed});

@@ -116,8 +116,8 @@ TEST(Tables, GroupsOfATableOfTwoColumns) {
 
 TEST(Tables, CurvesByGapsBlankLinesAndMarks) {
   const std::vector<TablePoints> two{{{1, 2}, {3, 4}}, {{5, 6}, {7, 8}, {9, 10}}};
-  for (const char* const gap :
-       {"nan nan", "NaN NaN", "-nan nan", "NAN,NAN", "", "\n\n", "\r\n", ">", "> b", "# c\n\n# d"}) {
+  for (const char* const gap : {"nan nan", "NaN NaN", "-nan nan", "NAN,NAN", "", "\n\n", "\r\n", ">", "> b",
+                                "# c\n\n# d", ",", ";", " , ", ",\r", "\"\",\"\"", "\"\" \"\"", ", # c"}) {
     for (const char* const end : {"", "\n", "\n\n\n", "\nnan nan\n", "\n>\n"}) {
       const std::string text = "1 2\n3 4\n" + std::string(gap) + "\n5 6\n7 8\n9 10" + end;
       for (const std::size_t chunk : {std::size_t{1}, std::size_t{7}, default_chunk_size}) {
@@ -133,6 +133,10 @@ TEST(Tables, CurvesByGapsBlankLinesAndMarks) {
   EXPECT_EQ(curves_of_table(read_table("x,y\n1,2\n3,4\n\nx,y\n5,6\n7,8\n9,10\n")), two);
   EXPECT_EQ(curves_of_table(read_table("t,x,y\n0,1,2\n0,3,4\n0,,\n0,5,6\n0,7,8\n0,9,10\n", "x,y")), two);
   EXPECT_EQ(curves_of_table(read_table("t,x,y\n0,1,2\n0,3,4\n0,nan,nan\n0,5,6\n0,7,8\n0,9,10\n", "x,y")), two);
+  EXPECT_EQ(curves_of_table(read_table("x,y\n1,2\n3,4\n,\n5,6\n7,8\n9,10\n")), two);
+  // So do rows of empty cells before the first point.
+  EXPECT_EQ(curves_of_table(read_table("x,y\n,\n,\n1,2\n3,4\n,\n,\n5,6\n7,8\n9,10\n,\n")), two);
+  EXPECT_EQ(curves_of_table(read_table("t,x,y\n,,\n,,\n0,1,2\n0,3,4\n,,\n0,5,6\n0,7,8\n0,9,10\n", "x,y")), two);
   // A blank line behind each point, at the beginning or before the end parts nothing.
   const std::vector<TablePoints> one{{{1, 2}, {3, 4}, {5, 6}}};
   EXPECT_EQ(curves_of_table(read_table("1 2\n\n3 4\n\n5 6\n\n")), one);
@@ -143,6 +147,10 @@ TEST(Tables, CurvesByGapsBlankLinesAndMarks) {
   EXPECT_EQ(table_fault("1 2\n3 nan\n"), "in:2: not a finite number: \"nan\"");
   EXPECT_NE(table_fault("1 2\nnan 3\n"), "read");
   EXPECT_NE(table_fault("TITLE = \"t\"\n1 2\nnan nan\n3 4\n"), "read");
+  EXPECT_NE(table_fault("TITLE = \"t\"\n1 2\n,\n3 4\n"), "read");
+  // So is a single empty cell.
+  EXPECT_EQ(table_fault("x,y\n1,2\n,3\n"), "in:3: expected two columns, found 1");
+  EXPECT_EQ(table_fault("x,y\n1,2\n,,\n"), "in:3: expected two columns, found 3");
 }
 
 TEST(Tables, NamesOfCurves) {
@@ -162,8 +170,8 @@ TEST(Tables, NamesOfCurves) {
     (void)read_curve(file + ":lon,lat,by=id", false);
     ADD_FAILURE() << "two zones, none chosen";
   } catch (const DataError& error) {
-    EXPECT_EQ(std::string(error.what()),
-              file + ": has 2 zones; choose one with " + file + ":lon,lat,by=id#0 to " + file + ":lon,lat,by=id#1");
+    EXPECT_EQ(std::string(error.what()), file + ": has 2 zones; choose one with " + file + ":lon,lat,by=id#0 to " +
+                                             file + ":lon,lat,by=id#1, or by its title: \"a\", \"b\"");
   }
   std::filesystem::remove(file);
   std::filesystem::remove(colon);

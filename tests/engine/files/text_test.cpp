@@ -194,6 +194,15 @@ TEST(TextErrors, SayWhereAndWhat) {
       {"1,5 2,5\n",
        "in:1: commas separate columns here, and decimals begin with a point; write the numbers with points, as sed "
        "'s/,/./g' does"},
+      {"0,0 1,0 1,1\n",
+       "in:1: this line has 3 pairs of numbers; each point needs a line of its own, as tr -s '[:blank:]' '\\n' makes "
+       "it; decimals begin with a point"},
+      {"x,y\n0,0\t1,0  1,1 0,1\n",
+       "in:2: this line has 4 pairs of numbers; each point needs a line of its own, as tr -s '[:blank:]' '\\n' makes "
+       "it; decimals begin with a point"},
+      {"t x y\n0,0 1,0 1,1\n",
+       "in:2: commas separate columns here, and decimals begin with a point; write the numbers with points, as sed "
+       "'s/,/./g' does"},
       {"t x y\n1 2 3\n", "in:2: expected two columns, found 3: t, x, y; choose two by FILE:NAME,NAME"},
       {"1 2\nnan 4\n", "in:2: not a finite number: \"nan\""},
       {"nan 1\n1 2\n", "in:1: not a finite number: \"nan\""},
