@@ -159,6 +159,43 @@ TEST_F(Batch, CurvesHavePeriods) {
   EXPECT_NE(wrong.err.find("job.toml:3: periodic: has to be \"x=PERIOD\""), std::string::npos) << wrong.err;
 }
 
+// Areas that may be incomplete are warned of by each face, with the names of the curves.
+TEST_F(Batch, CurvesThatAreWiderThanAPeriodAreWarnedOf) {
+  const auto circle = [&](const std::string& name, double x, double radius) {
+    std::string text;
+    for (int k = 0; k < 60; ++k) {
+      const double at = x + radius * std::cos(k * 0.10472);
+      text += std::to_string(at - std::floor(at)) + " " + std::to_string(radius * std::sin(k * 0.10472)) + "\n";
+    }
+    write(name, text);
+  };
+  circle("big", 0.5, 0.6);
+  circle("small", 0.05, 0.2);
+  circle("near", 0.5, 0.2);
+  circle("wind", 0.4, 0.1);
+  const std::string warning =
+      "the curves big and small are together wider than the period of x: they could also meet where one of them is "
+      "moved by a period, which is not counted";
+  write("job.toml",
+        "operation = \"overlay\"\npairs = [[\"big\", \"small\"], [\"near\", \"wind\"]]\nperiodic = \"x=1\"\n");
+  EXPECT_EQ(report({"job.toml"})["warnings"], nlohmann::json::array({warning}));
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"overlay"}, {"overlay", "--rule", "nonzero"}, {"interior"}, {"regions"}}) {
+    SCOPED_TRACE(command.front());
+    std::vector<std::string> arguments{command.front(), "big", "small", "--periodic", "x=1", "--json", "found.json"};
+    arguments.insert(arguments.end(), command.begin() + 1, command.end());
+    const Outcome single = run(arguments);
+    EXPECT_EQ(single.status, 0) << single.err;
+    EXPECT_NE(single.err.find("warning: " + warning + "\n"), std::string::npos) << single.err;
+    EXPECT_EQ(nlohmann::json::parse(read("found.json"))["warnings"], nlohmann::json::array({warning}));
+  }
+  EXPECT_EQ(overlay({"near", "wind", "--periodic", "x=1"}).count("warnings"), 0U);
+  const Outcome dense =
+      run({"densify", "big", "small", "-o", "d.npy", "--crossings", "--periodic", "x=1", "--json", "dense.json"});
+  EXPECT_NE(dense.err.find("warning: " + warning + "\n"), std::string::npos) << dense.err;
+  EXPECT_EQ(nlohmann::json::parse(read("dense.json"))["warnings"], nlohmann::json::array({warning}));
+}
+
 // A number behind '#' is that of a group where a column parts curves, as the single command has it.
 TEST_F(Batch, GroupsAreChosenByTheirNumbers) {
   write("ids.csv", "id,x,y\n7,0,0\n7,2,0\n7,2,2\n0,5,5\n0,6,5\n0,6,7\n");
