@@ -196,6 +196,24 @@ TEST_F(Batch, CurvesThatAreWiderThanAPeriodAreWarnedOf) {
   EXPECT_EQ(nlohmann::json::parse(read("dense.json"))["warnings"], nlohmann::json::array({warning}));
 }
 
+TEST_F(Batch, ResultsOfAnotherManifestAreSaidToBeHidden) {
+  write_curves(4);
+  write("other.toml", "operation = \"interior\"\ncurves = \"separ.*\"\npairs = \"consecutive\"\n");
+  const nlohmann::json first = report({"job.toml", "--store", "s"});
+  EXPECT_EQ(first["hidden"], 0);
+  EXPECT_EQ(first["stored_meanwhile"], 0);
+  EXPECT_EQ(report({"other.toml", "--store", "s"})["hidden"], 6);
+  EXPECT_EQ(report({"other.toml", "--store", "s"})["hidden"], 6);
+  const Outcome back = run({"batch", "run", "job.toml", "--store", "s"});
+  EXPECT_NE(back.out.find("6 jobs: 6 done before, 0 run, 0 failed"), std::string::npos) << back.out;
+  EXPECT_NE(back.out.find("it has 3 results of another manifest or of earlier inputs too: "), std::string::npos)
+      << back.out;
+  // Shards of one manifest do not hide each other.
+  for (const char* const shard : {"1/2", "2/2"}) {
+    EXPECT_EQ(report({"job.toml", "--store", "t", "--shard", shard})["hidden"], 0) << shard;
+  }
+}
+
 // A number behind '#' is that of a group where a column parts curves, as the single command has it.
 TEST_F(Batch, GroupsAreChosenByTheirNumbers) {
   write("ids.csv", "id,x,y\n7,0,0\n7,2,0\n7,2,2\n0,5,5\n0,6,5\n0,6,7\n");
