@@ -375,6 +375,17 @@ options = { max_length = 0.01, output = "fine_{name}.npy" }
   EXPECT_EQ(report({"job.toml"})["run"], 3 + 6 + 3);
   EXPECT_TRUE(exists("fine_separ.1.npy"));
   EXPECT_EQ(run({"batch", "export", "job.results"}).status, 2);  // which of them?
+  const std::string which = run({"batch", "export", "job.results"}).err;
+  EXPECT_NE(which.find("the plan has several operations; choose one of "), std::string::npos) << which;
+  for (const char* const words : {"interior", "densify", "--operation", "or JSON lines"}) {
+    EXPECT_NE(which.find(words), std::string::npos) << which;
+  }
+  for (const char* const format : {"csv", "jsonl"}) {
+    const Outcome slip = run({"batch", "export", "job.results", "--format", format, "--operation", "interor"});
+    EXPECT_EQ(slip.status, 2);
+    EXPECT_NE(slip.err.find("the plan has no operation interor; it has "), std::string::npos) << slip.err;
+    EXPECT_NE(slip.err.find("; did you mean interior?"), std::string::npos) << slip.err;
+  }
   const Outcome some = run({"batch", "export", "job.results", "--operation", "interior"});
   EXPECT_EQ(std::count(some.out.begin(), some.out.end(), '\n'), 7);
   const std::string lines = exported("job.results", "jsonl");
