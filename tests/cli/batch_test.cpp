@@ -335,6 +335,11 @@ TEST_F(Batch, FailuresAreRecordedAndTheRestGoesOn) {
   const Outcome status = run({"batch", "status", "job.results"});
   EXPECT_NE(status.out.find("6 done, 9 failed, 0 to do"), std::string::npos) << status.out;
   EXPECT_NE(status.out.find("separ.0 separ.9: separ.9: is not simple"), std::string::npos) << status.out;
+  EXPECT_NE(
+      status.out.find("separ.9: is not simple: segments 0 and 2 meet at (0.5, 0.5); operation = \"regions\" takes "
+                      "such curves\n"),
+      std::string::npos)
+      << status.out;
   EXPECT_NE(status.out.find("separ.11:2:"), std::string::npos) << status.out;
   EXPECT_NE(exported("job.results").find(",failed,"), std::string::npos);
   write_curve("separ.11", flower(60, 3, 0.1, {0, 0}));
