@@ -45,7 +45,19 @@ std::string batch_summary(const BatchReport& report, const std::string& store) {
                       static_cast<double>(queue.cache.peak_bytes) / 1e6);
   text += fmt::format("time of the threads: reading {:.1f} %, indexing {:.1f} %, jobs {:.1f} %, storing {:.1f} %\n",
                       100 * shares.reading, 100 * shares.preparing, 100 * shares.operations, 100 * shares.storing);
-  return text + "results in " + store + "\n";
+  text += "results in " + store + "\n";
+  if (report.hidden != 0) {
+    text += fmt::format(
+        "it has {} of another manifest or of earlier inputs too: status, exports and views show this manifest alone; "
+        "give "
+        "each manifest a --store of its own\n",
+        counted(report.hidden, "result", "results"));
+  }
+  if (report.stored_meanwhile != 0) {
+    text += fmt::format("{} had been stored by another process meanwhile; give parallel processes --shard\n",
+                        counted(report.stored_meanwhile, "result", "results"));
+  }
+  return text;
 }
 
 void write_batch_json(const std::string& path, const BatchReport& report, const std::string& manifest,
@@ -61,6 +73,8 @@ void write_batch_json(const std::string& path, const BatchReport& report, const 
                     {"run", queue.jobs},
                     {"failed", queue.failed},
                     {"stopped", queue.stopped},
+                    {"hidden", report.hidden},
+                    {"stored_meanwhile", report.stored_meanwhile},
                     {"damaged", report.damaged.size()},
                     {"warnings", queue.warnings},
                     {"points", queue.points},

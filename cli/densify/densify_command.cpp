@@ -118,6 +118,10 @@ void run(const DensifyRequest& request) {
     operations::Context context;
     context.progress = told_to(progress);
     outcome = operation.run(inputs, options, context);
+    if (curves.size() == 2) {
+      const std::string warning = period_warning(curves[0].curve, curves[1].curve, request.periods);
+      if (!warning.empty()) outcome.remarks.push_back(warning);
+    }
     const double densify_seconds = densify_watch.seconds();
     progress.phase("writing", 0.8, 1);
     const detail::Stopwatch write_watch;
@@ -137,6 +141,7 @@ void run(const DensifyRequest& request) {
     }
   }
   if (!takes_standard_output(outputs)) print_report(densify_summary(curves, outcome.as<RefinedCurve>()));
+  for (const std::string& remark : outcome.remarks) log_warning("warning: " + remark);
   if (!outcome.incomplete.empty()) log_warning(with_option_names(outcome.incomplete));
 }
 

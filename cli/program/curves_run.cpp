@@ -1,6 +1,5 @@
 #include "cli/program/curves_run.hpp"
 
-#include "cli/picture/figure.hpp"
 #include "cli/program/log.hpp"
 #include "cli/program/table_options.hpp"
 #include "cli/report/outcome_json.hpp"
@@ -27,13 +26,7 @@ CurvesReport run_on_curves(const std::string& operation, const std::array<std::s
   require_same_columns(report.inputs[0].curve, report.inputs[1].curve);
   warn_of_longitudes(report.inputs[0], report.inputs[1], periods);
   move_near(report.inputs[1].curve.points, report.inputs[0].curve.points, periods);
-  if (const Rectangle box = include(include({}, report.inputs[0].curve.points), report.inputs[1].curve.points);
-      (periods.x != 0 && box.max_x - box.min_x > periods.x) || (periods.y != 0 && box.max_y - box.min_y > periods.y)) {
-    log_warning(
-        "together the curves are wider than the period: they could also meet where one of them is moved by a period, "
-        "which "
-        "is not counted");
-  }
+  const std::string apart = period_warning(report.inputs[0].curve, report.inputs[1].curve, periods);
   report.read_seconds = read_watch.seconds();
   progress.of(points, "points");
   progress.phase(operation, 0.25, 0.9);
@@ -54,7 +47,8 @@ CurvesReport run_on_curves(const std::string& operation, const std::array<std::s
     throw DataError(curves[curve] + ": " + error.what() + " (--rule takes such curves)" +
                     (remark.empty() ? "" : "; the curve " + remark));
   }
-  for (const std::string& remark : report.outcome.remarks) log_warning(remark);
+  if (!apart.empty()) report.outcome.remarks.push_back(apart);
+  for (const std::string& remark : report.outcome.remarks) log_warning("warning: " + remark);
   return report;
 }
 
@@ -62,7 +56,8 @@ void warn_of_longitudes(const NamedCurve& first, const NamedCurve& second, Perio
   if (periods.any() || !first.warning.empty() || !second.warning.empty()) return;
   const std::string warning = longitudes_warning(first.curve, second.curve);
   if (warning.empty()) return;
-  log_warning(warning + "; give --periodic " + (first.curve.latitude_first.value_or(false) ? "y" : "x") + "=360");
+  log_warning("warning: " + warning + "; give --periodic " + (first.curve.latitude_first.value_or(false) ? "y" : "x") +
+              "=360");
 }
 
 void write_curves_json(const std::string& path, std::string_view command, const std::string& operation,

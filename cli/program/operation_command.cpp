@@ -50,6 +50,7 @@ struct OperationInputs {
   std::deque<NamedCurve> curves;
   std::vector<operations::Input> inputs;
   std::vector<std::pair<std::string, Json>> members;
+  std::string warning;  // empty unless curves may meet once more a period away
 };
 
 // A result that is a curve; null if it is none.
@@ -91,7 +92,10 @@ OperationInputs read_inputs(const operations::Operation& operation, const Operat
     progress.file(read.curves.size(), files);
     read.curves.push_back(read_curve(path, is_closed(spec.kind, options), {.periods = request.periods}));
     Curve& curve = read.curves.back().curve;
-    if (read.curves.size() > 1) move_near(curve.points, read.curves.front().curve.points, request.periods);
+    if (read.curves.size() > 1) {
+      move_near(curve.points, read.curves.front().curve.points, request.periods);
+      read.warning = period_warning(read.curves.front().curve, curve, request.periods);
+    }
     names.push_back(path);
     hashes.push_back(read.curves.back().sha256);
     if (spec.kind == InputKind::points) {
@@ -146,6 +150,7 @@ void run(const operations::Operation& operation, const OperationRequest& request
       throw DataError(named[curve] + ": " + error.what() + (may_cross ? " (--no-check-simple takes such curves)" : ""));
     }
   }
+  if (!read.warning.empty()) outcome.remarks.push_back(read.warning);
   if (!request.output.empty()) {
     write_curve_file(
         request.output, std::get<std::vector<Point>>(curve_of_result(operation)->get(outcome.value.get())),
@@ -164,7 +169,7 @@ void run(const operations::Operation& operation, const OperationRequest& request
   if (!takes_standard_output(outputs)) {
     print_report(agreement_text(outcome.agreement) + outcome_table(operation.result, outcome.value.get()));
   }
-  for (const std::string& remark : outcome.remarks) log_warning(remark);
+  for (const std::string& remark : outcome.remarks) log_warning("warning: " + remark);
   require_agreement(outcome.agreement);
   if (!outcome.incomplete.empty()) throw DataError(outcome.incomplete);
   if (!outcome.failed.empty()) throw DataError(outcome.failed);

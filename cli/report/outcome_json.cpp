@@ -1,5 +1,7 @@
 #include "cli/report/outcome_json.hpp"
 
+#include <algorithm>
+
 #include "cli/report/agreement_report.hpp"
 
 namespace lober::cli {
@@ -11,6 +13,20 @@ Json setting_json(const operations::OptionValue& value) {
   if (const auto* const real = std::get_if<double>(&value)) return number_json(*real);
   if (const auto* const text = std::get_if<std::string>(&value)) return *text;
   return operations::numbers_of(value);
+}
+
+// The remarks that the fields of a result do not have.
+std::vector<std::string> remarks_beside(const operations::Operation& operation, const operations::Outcome& outcome) {
+  std::vector<std::string> left = outcome.remarks;
+  for (const operations::Field& field : operation.result) {
+    if (field.name != "remarks") continue;
+    const operations::FieldValue value = field.get(outcome.value.get());
+    const auto* const known = std::get_if<std::vector<std::string>>(&value);
+    if (known == nullptr) continue;
+    std::erase_if(left,
+                  [&](const std::string& one) { return std::find(known->begin(), known->end(), one) != known->end(); });
+  }
+  return left;
 }
 
 }  // namespace
@@ -29,6 +45,9 @@ void write_outcome_json(const std::string& path, std::string_view command,
     if (!options.contains(spec.key)) options[spec.key] = nullptr;
   }
   json.member("options", options);
+  if (const std::vector<std::string> warnings = remarks_beside(operation, outcome); !warnings.empty()) {
+    json.member("warnings", warnings);
+  }
   write_json_members(operation.result, outcome.value.get(), [&](std::string_view text) { json.file().write(text); });
   json.file().write(",\n");
   if (more) more(json.file());

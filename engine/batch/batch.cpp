@@ -49,6 +49,7 @@ StoreSession::StoreSession(const std::string& store_path, const Plan& plan, cons
       if (seen_[id] != 0) inputs.emplace(plan.curves[id].input_name(), digests_[id]);
     }
     store_->show(inputs);
+    for (const auto& [key, known] : store_->stored()) hidden_ += known.job == no_job && !known.damaged ? 1 : 0;
   }
   writer_ = std::make_unique<ResultWriter>(*store_, std::move(broken));
   for (const auto& [name, digest] : inputs) writer_->add(name, digest);
@@ -103,6 +104,7 @@ bool StoreSession::add(Result&& result) {
 
 double StoreSession::finish(const std::string& how) {
   writer_->finish();
+  stored_meanwhile_ = store_->stored_meanwhile();
   store_->end_run(how);
   store_.reset();  // which brings the log into the file
   return writer_->seconds();
@@ -120,6 +122,7 @@ BatchReport detail::run_batch(const Manifest& manifest, const BatchOptions& opti
   report.jobs = session.pending().size() + session.finished_before();
   report.finished_before = session.finished_before();
   report.damaged = session.damaged();
+  report.hidden = session.hidden();
   std::size_t unusable = 0;
   {
     PlanRunner queue(plan, manifest.path, session.pending(), options.queue, &outputs);
@@ -146,6 +149,7 @@ BatchReport detail::run_batch(const Manifest& manifest, const BatchOptions& opti
   report.queue.failed += unusable;
   const CancellationScope shield(CancellationScope::Shield{});
   report.store_seconds = session.finish(report.queue.stopped ? "stopped" : "complete");
+  report.stored_meanwhile = session.stored_meanwhile();
   report.wall_seconds = watch.seconds();
   return report;
 }

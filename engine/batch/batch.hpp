@@ -37,6 +37,10 @@ class StoreSession {
   [[nodiscard]] std::size_t finished_before() const { return finished_before_; }
   /// A line for each job of the shard whose result in the store was damaged: it is among the pending ones.
   [[nodiscard]] const std::vector<std::string>& damaged() const { return damaged_; }
+  /// Results of the store that are not of this plan and the inputs as they are now.
+  [[nodiscard]] std::size_t hidden() const { return hidden_; }
+  /// After `finish`: results that another process had stored in the meantime.
+  [[nodiscard]] std::size_t stored_meanwhile() const { return stored_meanwhile_; }
 
   /// One call at a time. Returns false when the result cannot be used because an input has changed.
   bool add(Result&& result);
@@ -51,7 +55,7 @@ class StoreSession {
   const Plan& plan_;
   std::optional<Store> store_;
   std::vector<std::uint32_t> pending_;
-  std::size_t finished_before_ = 0;
+  std::size_t finished_before_ = 0, hidden_ = 0, stored_meanwhile_ = 0;
   std::vector<std::string> damaged_;
   std::vector<std::string> digests_;  ///< digests of the plan's curves, as first seen in this run
   std::vector<char> seen_;

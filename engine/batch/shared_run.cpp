@@ -62,6 +62,7 @@ SharedRun::SharedRun(Manifest manifest, const BatchOptions& options)
   report_.jobs = session_->pending().size() + session_->finished_before();
   report_.finished_before = session_->finished_before();
   report_.damaged = session_->damaged();
+  report_.hidden = session_->hidden();
 }
 
 SharedRun::~SharedRun() = default;
@@ -128,6 +129,7 @@ void SharedRun::take(Result&& result) {
 
 void SharedRun::finish(const std::string& how) {
   report_.store_seconds = session_->finish(how);
+  report_.stored_meanwhile = session_->stored_meanwhile();
   report_.queue.stopped = report_.queue.jobs < pending();
 }
 

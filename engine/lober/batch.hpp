@@ -106,6 +106,10 @@ struct BatchReport {
   std::size_t jobs = 0;              ///< jobs of the shard
   std::size_t finished_before = 0;   ///< jobs of the shard whose results were in the store
   std::vector<std::string> damaged;  ///< a line for each stored result that cannot be read; its job is done again
+  /// results that the store had before and keeps, but that views, status and exports do not show any more: of another
+  /// plan, or of inputs with other contents
+  std::size_t hidden = 0;
+  std::size_t stored_meanwhile = 0;  ///< results that another process stored while this run computed them too
   double store_seconds = 0;          ///< processor time of the thread that writes
   double wall_seconds = 0;           ///< wall time of the whole run
 };

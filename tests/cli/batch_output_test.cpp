@@ -125,6 +125,30 @@ TEST_F(BatchOutput, EndsInNpyWhateverItsInputIs) {
   EXPECT_EQ(read("in/fine_sq.npy").substr(1, 5), "NUMPY");
 }
 
+TEST_F(BatchOutput, NeverEndsAsAnotherFormat) {
+  for (const char* const ending : {".wkt", ".geojson", ".xy", ".tec", ".npz", ".mat", ".h5", ".nc", ".shp", ".TXT"}) {
+    write_manifest(std::string("fine_{name}") + ending);
+    const Outcome outcome = run({"batch", "run", "in/job.toml"});
+    EXPECT_EQ(outcome.status, 2) << ending;
+    EXPECT_NE(outcome.err.find(std::string(" ends in ") + ending + ", but the curve is written in NPY"),
+              std::string::npos)
+        << outcome.err;
+  }
+  write("in/sq.txt", "0 0\n1 0\n1 1\n0 1\n");
+  const auto simplified = [&](const std::string& output) {
+    write("in/job.toml",
+          "operation = \"simplify\"\ncurves = \"sq.txt\"\noptions = { tolerance = 0, output = \"" + output + "\" }\n");
+    return run({"batch", "run", "in/job.toml"}).status;
+  };
+  for (const char* const output : {"{name}_{tolerance}", "{name}.one.npy", "{name}_two", "{name}"}) {
+    EXPECT_EQ(simplified(output), 0) << output;
+  }
+  for (const char* const name : {"sq_0.npy", "sq.one.npy", "sq_two", "sq.npy"}) {
+    EXPECT_TRUE(exists(std::string("in/") + name)) << name;
+  }
+  EXPECT_EQ(simplified("{name}.wkt"), 2);
+}
+
 TEST_F(BatchOutput, IsOfOneJobOnly) {
   expect_refused("x.npy", "\"x.npy\" is the output of both job 0 and job 1; put {name}");
   expect_refused("x_{name}", "\"x_c1.npy\" is the output of both job 0 and job 1", "pairs = \"all\"\n");

@@ -45,6 +45,27 @@ class BatchStore : public ProgramTest {
   }
 };
 
+TEST_F(BatchStore, StoresThatAreNotThere) {
+  write_curves(2, 40);
+  ASSERT_EQ(run({"batch", "run", "job.toml"}).status, 0);
+  const std::string none = "nope: No such file or directory; a store is written by lober batch run";
+  const std::string folder = "no/x: needs the folder no, which does not exist; make it first";
+  for (const auto& [arguments, message] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"status", "nope"}, none},
+           {{"export", "nope"}, none},
+           {{"merge", "x", "nope"}, none},
+           {{"merge", "no/x", "job.results"}, folder},
+           {{"run", "job.toml", "--store", "no/x"}, folder}}) {
+    std::vector<std::string> line{"batch"};
+    line.insert(line.end(), arguments.begin(), arguments.end());
+    const Outcome outcome = run(line);
+    EXPECT_EQ(outcome.status, 1) << arguments[0];
+    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+  }
+  EXPECT_FALSE(exists("x"));
+  EXPECT_FALSE(exists("nope"));
+}
+
 TEST_F(BatchStore, DeletedWhileTheBatchRuns) {
   write_curves(40, 3000);
   Outcome outcome;

@@ -159,6 +159,61 @@ TEST_F(Batch, CurvesHavePeriods) {
   EXPECT_NE(wrong.err.find("job.toml:3: periodic: has to be \"x=PERIOD\""), std::string::npos) << wrong.err;
 }
 
+// Areas that may be incomplete are warned of by each face, with the names of the curves.
+TEST_F(Batch, CurvesThatAreWiderThanAPeriodAreWarnedOf) {
+  const auto circle = [&](const std::string& name, double x, double radius) {
+    std::string text;
+    for (int k = 0; k < 60; ++k) {
+      const double at = x + radius * std::cos(k * 0.10472);
+      text += std::to_string(at - std::floor(at)) + " " + std::to_string(radius * std::sin(k * 0.10472)) + "\n";
+    }
+    write(name, text);
+  };
+  circle("big", 0.5, 0.6);
+  circle("small", 0.05, 0.2);
+  circle("near", 0.5, 0.2);
+  circle("wind", 0.4, 0.1);
+  const std::string warning =
+      "the curves big and small are together wider than the period of x: they could also meet where one of them is "
+      "moved by a period, which is not counted";
+  write("job.toml",
+        "operation = \"overlay\"\npairs = [[\"big\", \"small\"], [\"near\", \"wind\"]]\nperiodic = \"x=1\"\n");
+  EXPECT_EQ(report({"job.toml"})["warnings"], nlohmann::json::array({warning}));
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"overlay"}, {"overlay", "--rule", "nonzero"}, {"interior"}, {"regions"}}) {
+    SCOPED_TRACE(command.front());
+    std::vector<std::string> arguments{command.front(), "big", "small", "--periodic", "x=1", "--json", "found.json"};
+    arguments.insert(arguments.end(), command.begin() + 1, command.end());
+    const Outcome single = run(arguments);
+    EXPECT_EQ(single.status, 0) << single.err;
+    EXPECT_NE(single.err.find("warning: " + warning + "\n"), std::string::npos) << single.err;
+    EXPECT_EQ(nlohmann::json::parse(read("found.json"))["warnings"], nlohmann::json::array({warning}));
+  }
+  EXPECT_EQ(overlay({"near", "wind", "--periodic", "x=1"}).count("warnings"), 0U);
+  const Outcome dense =
+      run({"densify", "big", "small", "-o", "d.npy", "--crossings", "--periodic", "x=1", "--json", "dense.json"});
+  EXPECT_NE(dense.err.find("warning: " + warning + "\n"), std::string::npos) << dense.err;
+  EXPECT_EQ(nlohmann::json::parse(read("dense.json"))["warnings"], nlohmann::json::array({warning}));
+}
+
+TEST_F(Batch, ResultsOfAnotherManifestAreSaidToBeHidden) {
+  write_curves(4);
+  write("other.toml", "operation = \"interior\"\ncurves = \"separ.*\"\npairs = \"consecutive\"\n");
+  const nlohmann::json first = report({"job.toml", "--store", "s"});
+  EXPECT_EQ(first["hidden"], 0);
+  EXPECT_EQ(first["stored_meanwhile"], 0);
+  EXPECT_EQ(report({"other.toml", "--store", "s"})["hidden"], 6);
+  EXPECT_EQ(report({"other.toml", "--store", "s"})["hidden"], 6);
+  const Outcome back = run({"batch", "run", "job.toml", "--store", "s"});
+  EXPECT_NE(back.out.find("6 jobs: 6 done before, 0 run, 0 failed"), std::string::npos) << back.out;
+  EXPECT_NE(back.out.find("it has 3 results of another manifest or of earlier inputs too: "), std::string::npos)
+      << back.out;
+  // Shards of one manifest do not hide each other.
+  for (const char* const shard : {"1/2", "2/2"}) {
+    EXPECT_EQ(report({"job.toml", "--store", "t", "--shard", shard})["hidden"], 0) << shard;
+  }
+}
+
 // A number behind '#' is that of a group where a column parts curves, as the single command has it.
 TEST_F(Batch, GroupsAreChosenByTheirNumbers) {
   write("ids.csv", "id,x,y\n7,0,0\n7,2,0\n7,2,2\n0,5,5\n0,6,5\n0,6,7\n");
@@ -280,6 +335,11 @@ TEST_F(Batch, FailuresAreRecordedAndTheRestGoesOn) {
   const Outcome status = run({"batch", "status", "job.results"});
   EXPECT_NE(status.out.find("6 done, 9 failed, 0 to do"), std::string::npos) << status.out;
   EXPECT_NE(status.out.find("separ.0 separ.9: separ.9: is not simple"), std::string::npos) << status.out;
+  EXPECT_NE(
+      status.out.find("separ.9: is not simple: segments 0 and 2 meet at (0.5, 0.5); operation = \"regions\" takes "
+                      "such curves\n"),
+      std::string::npos)
+      << status.out;
   EXPECT_NE(status.out.find("separ.11:2:"), std::string::npos) << status.out;
   EXPECT_NE(exported("job.results").find(",failed,"), std::string::npos);
   write_curve("separ.11", flower(60, 3, 0.1, {0, 0}));
@@ -320,6 +380,17 @@ options = { max_length = 0.01, output = "fine_{name}.npy" }
   EXPECT_EQ(report({"job.toml"})["run"], 3 + 6 + 3);
   EXPECT_TRUE(exists("fine_separ.1.npy"));
   EXPECT_EQ(run({"batch", "export", "job.results"}).status, 2);  // which of them?
+  const std::string which = run({"batch", "export", "job.results"}).err;
+  EXPECT_NE(which.find("the plan has several operations; choose one of "), std::string::npos) << which;
+  for (const char* const words : {"interior", "densify", "--operation", "or JSON lines"}) {
+    EXPECT_NE(which.find(words), std::string::npos) << which;
+  }
+  for (const char* const format : {"csv", "jsonl"}) {
+    const Outcome slip = run({"batch", "export", "job.results", "--format", format, "--operation", "interor"});
+    EXPECT_EQ(slip.status, 2);
+    EXPECT_NE(slip.err.find("the plan has no operation interor; it has "), std::string::npos) << slip.err;
+    EXPECT_NE(slip.err.find("; did you mean interior?"), std::string::npos) << slip.err;
+  }
   const Outcome some = run({"batch", "export", "job.results", "--operation", "interior"});
   EXPECT_EQ(std::count(some.out.begin(), some.out.end(), '\n'), 7);
   const std::string lines = exported("job.results", "jsonl");

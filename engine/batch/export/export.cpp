@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "engine/base/nearest_word.hpp"
 #include "engine/batch/export/export_formats.hpp"
 #include "engine/batch/manifest/swept_options.hpp"
 #include "lober/base/cancellation.hpp"
@@ -47,16 +48,21 @@ void require_no_curve(const std::string& path, const Store& store, const Plan& p
 
 // The operation of a table: the one that is named, or the only one.
 const Operation& operation_for(const Plan& plan, const std::optional<std::string>& name) {
-  const JobGroup* only = nullptr;
+  std::vector<const Operation*> all;
+  std::vector<std::string> names;
   for (const JobGroup& group : plan.groups) {
-    if (name && group.operation->name != *name) continue;
-    if (only != nullptr && only->operation != group.operation) {
-      throw UsageError("the plan has several operations; choose one of them, or JSON lines");
-    }
-    only = &group;
+    if (std::find(all.begin(), all.end(), group.operation) != all.end()) continue;
+    all.push_back(group.operation);
+    names.push_back(group.operation->name);
   }
-  if (only == nullptr) throw UsageError("the plan has no operation " + name.value_or(""));
-  return *only->operation;
+  if (name) {
+    const auto found = std::find(names.begin(), names.end(), *name);
+    if (found != names.end()) return *all[static_cast<std::size_t>(found - names.begin())];
+    throw UsageError("the plan has no operation " + *name + "; it has " + joined(names) + did_you_mean(*name, names));
+  }
+  if (all.size() == 1) return *all.front();
+  throw UsageError("the plan has several operations; choose one of " + joined(names) +
+                   " by the option \"operation\", or JSON lines, which hold all");
 }
 
 }  // namespace
@@ -141,6 +147,7 @@ ExportCounts detail::export_results(const Store& store, const std::string& path,
   // Tables of fixed columns go through the results twice, first for the widths of texts and which columns there are.
   const bool lines = format == ExportFormat::json_lines;
   const Operation* const of_table = lines ? nullptr : &operation_for(plan, operation);
+  if (lines && operation) (void)operation_for(plan, operation);  // refused where the plan does not have it
   const double passes = (lines || format == ExportFormat::csv ? 1 : 2) + (of_table && of_table->spread ? 1 : 0);
   double pass = 0;
   const EachResult results = [&](const std::function<void(const Result&)>& take) {

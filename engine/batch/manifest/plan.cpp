@@ -25,7 +25,7 @@ class Planner {
     const Pairs pairs = pairs_of(group);
     if (pairs.empty()) {
       const LocatedText& text = group.pairs == PairKind::list ? LocatedText{"", 1, "pairs"} : group.curves.front();
-      manifest_.fail(text.line, text.key, "this gives no pair of curves");
+      manifest_.fail(text.line, text.key, "this gives no pair of curves" + why_no_pair(group));
     }
     plan_.jobs.reserve(plan_.jobs.size() + group.options.size() * pairs.size());
     for (const Options& options : group.options) {
@@ -71,6 +71,25 @@ class Planner {
         break;
     }
     return pairs;
+  }
+
+  // The end of a message about curves of which there are too few: the reason, if it is not that there is only one.
+  std::string why_no_pair(const ManifestGroup& group) const {
+    std::vector<std::string> names, twice;
+    for (const LocatedText& pattern : group.curves) {
+      for (const CurveSource& source : resolve(manifest_, {pattern})) {
+        std::vector<std::string>& list =
+            std::find(names.begin(), names.end(), source.name()) == names.end() ? names : twice;
+        list.push_back(source.name());
+      }
+    }
+    if (group.pairs == PairKind::lag && names.size() > 1) {
+      return ": there are " + std::to_string(names.size()) + ", and lag = " + std::to_string(group.lag) +
+             " has to be less than that";
+    }
+    if (!twice.empty()) return ": " + twice.front() + " is given twice, and counts once";
+    if (group.pairs == PairKind::product) return ": with has no other curve than " + names.front();
+    return {};
   }
 
   CurveId single(const LocatedText& name, const ManifestGroup& group) {

@@ -1,7 +1,6 @@
 #include "engine/batch/operations/of_table.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "engine/base/text.hpp"
 #include "engine/batch/operations/named_system.hpp"
@@ -14,9 +13,6 @@
 
 namespace lober::detail {
 namespace {
-
-// Endings of files that are not curves in NPY, the format that jobs write.
-constexpr std::array<std::string_view, 6> other_endings{".csv", ".txt", ".dat", ".raw", ".json", ".svg"};
 
 operations::SystemInput system_input_of(const Options& options, double integration_tolerance) {
   IntegrationOptions integration;
@@ -83,10 +79,8 @@ std::vector<operations::Input> inputs_of(const operations::Operation& entry, con
 std::string output_of(const Options& options, std::string_view first, std::string_view second) {
   std::string name = output_name(options.text("output"), options, first, second);
   // The file of the curve has given it.
-  for (const std::string_view ending : other_endings) {
-    if (name.ends_with(ending)) return name.replace(name.size() - ending.size(), ending.size(), ".npy");
-  }
-  return name;
+  const std::size_t other = other_ending(name).size();
+  return other == 0 ? name : name.replace(name.size() - other, other, ".npy");
 }
 
 void write_output(const JobCurves& curves, const Options& options, std::span<const Point> points) {
@@ -142,11 +136,10 @@ struct Runner {
 
 // A name that ends as another format does would be that of a file which nobody can read.
 void require_npy(std::string_view output) {
-  for (const std::string_view ending : other_endings) {
-    if (!output.ends_with(ending)) continue;
-    throw UsageError("output: " + std::string(output) + " ends in " + std::string(ending) +
-                     ", but the curve is written in NPY");
-  }
+  const std::string_view ending = other_ending(output);
+  if (ending.empty()) return;
+  throw UsageError("output: " + std::string(output) + " ends in " + std::string(ending) +
+                   ", but the curve is written in NPY");
 }
 
 // Throws for a path that leads to no numbers: what has been renamed is seen before the first job.
@@ -221,7 +214,8 @@ Operation operation_of(const operations::Operation& entry, const TableJob& job) 
     operation.options.push_back(
         {"output", "",
          "file for the curve, in NPY, below the folder of the manifest; {name} and {second} stand for the names of the "
-         "curves given, {max_length} and the like for options; empty: no file"});
+         "curves given, without the ending of another format where more follows, {max_length} and the like for "
+         "options; empty: no file"});
     operation.output = output_of;
   }
   const Requirements possible = possible_requirements(entry);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/base/text.hpp"
 #include "lober/overlay/crossings.hpp"
 
 namespace lober::detail {
@@ -41,7 +42,8 @@ PreparedCurve::PreparedCurve(std::shared_ptr<const Curve> curve, const Requireme
         (void)require_simple(*index_, 1);
       } catch (const NotSimpleError& error) {
         throw DataError(given.name + ": is not simple: segments " + std::to_string(error.segment1) + " and " +
-                        std::to_string(error.segment2) + " meet");
+                        std::to_string(error.segment2) + " meet at " + format_point(error.at) +
+                        (given.closed ? "; operation = \"regions\" takes such curves" : ""));
       }
     });
   }

@@ -144,6 +144,7 @@ class JobQueue::Run final : public JobRunner {
           moved = moved_near(*curves[1], curves[0]->curve(), group, requirements);
           if (moved != nullptr) curves[1] = moved.get();
           if (moved != nullptr && !moved->error(requirements).empty()) throw DataError(moved->error(requirements));
+          warn(period_warning(curves[0]->curve(), curves[1]->curve(), group.periods));
         }
         result = group.operation->run({std::span(curves).first(ids.size()), allowance, group.outputs}, group.options);
       } catch (const Cancelled&) {

@@ -209,7 +209,7 @@ void Store::refresh() {
 void Store::read_known(std::uint32_t table, bool backwards) {
   tables_[table].each_row(backwards ? 0 : last_rows_[table], backwards, [&](const ResultTable::Row& row) {
     last_rows_[table] = std::max(last_rows_[table], row.id);
-    const Known known{row.id, row.job, table, row.failed};
+    const Known known{row.id, row.job, table, row.failed, false, run_ != 0};
     const auto [present, is_new] = known_.try_emplace(row.key, known);
     if (!is_new && present.row < row.id) present = known;
   });
@@ -265,6 +265,7 @@ void Store::append(std::span<const Result> results, const InputDigests& digests)
         fresh.add(table, results[k]);
       } else {
         fresh.write();
+        if (known.foreign && !known.failed && !known.damaged) ++stored_meanwhile_;
         put(known, absent, table, results[k], shown);
       }
     }

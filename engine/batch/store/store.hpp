@@ -74,6 +74,7 @@ class Store {
     std::uint32_t table;  ///< the operation, by its number
     bool failed;
     bool damaged = false;  ///< to be replaced by anything
+    bool foreign = false;  ///< committed by another process since the run began
   };
   using StoredResults = KeyMap<Known>;
   /// All results that are committed, as of the last `refresh` or `append`. Their values were not looked at.
@@ -91,6 +92,8 @@ class Store {
   /// left out; a failure gives way to anything. Throws DataError when it cannot be written, and, as `require_in_place`,
   /// when the file is not in its place any more; its results have then been saved (store_file.hpp).
   void append(std::span<const Result> results, const InputDigests& digests);
+  /// Number of results given to `append` that were left out because another process had stored them since `begin_run`.
+  [[nodiscard]] std::size_t stored_meanwhile() const { return stored_meanwhile_; }
   void require_in_place() const { file_->require_in_place(*database_); }
 
   struct Run {
@@ -140,6 +143,7 @@ class Store {
   std::optional<Plan> plan_;         ///< plan of this run
   bool plan_is_new_ = false;         ///< rows may still bear the names of another one
   std::int64_t run_ = 0, plan_sum_ = 0;
+  std::size_t stored_meanwhile_ = 0;
   bool damaged_ = false;
 };
 

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <filesystem>
 #include <map>
 #include <utility>
@@ -29,13 +30,26 @@ StoreFile::StoreFile(std::string path, bool written) : path_(std::move(path)) {
   if (path_.empty()) throw UsageError("the name of the store is empty");
   if (path_ == ":memory:") throw UsageError(":memory: keeps no results; name a file for the store");
   struct stat status {};
-  if (::stat(path_.c_str(), &status) != 0) return;
+  if (::stat(path_.c_str(), &status) != 0) {
+    require_that_it_can_be(written);
+    return;
+  }
   if (!S_ISREG(status.st_mode)) throw DataError(path_ + ": is not a file; name a file for the store");
   if (status.st_size > 0 && status.st_size < shortest_database) throw DataError(path_ + ": is not a store of results");
   several_names_ = status.st_nlink > 1;
   if (!written || !several_names_) return;
   throw DataError(path_ + ": has " + std::to_string(status.st_nlink) +
                   " names (hard links), but a store can have only one; copy the file, or remove the other names");
+}
+
+// SQLite says of both that it cannot open the file.
+void StoreFile::require_that_it_can_be(bool made) const {
+  if (errno != ENOENT && errno != ENOTDIR) return;
+  if (!made) throw DataError(path_ + ": No such file or directory; a store is written by lober batch run");
+  const std::filesystem::path folder = std::filesystem::path(path_).parent_path();
+  std::error_code ignored;
+  if (folder.empty() || std::filesystem::is_directory(folder, ignored)) return;
+  throw DataError(path_ + ": needs the folder " + folder.string() + ", which does not exist; make it first");
 }
 
 StoreFile::~StoreFile() {

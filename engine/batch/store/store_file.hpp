@@ -14,7 +14,8 @@ namespace lober::detail {
 class StoreFile {
  public:
   /// Before the file is opened. Throws UsageError for a name that is not one of a file (":memory:", an empty one),
-  /// DataError for what can hold no store: a device, a pipe, a file that is too short to be a database and not empty,
+  /// DataError for a file that is not there, or whose folder is not there if it is to be `written`, and for what can
+  /// hold no store: a device, a pipe, a file that is too short to be a database and not empty,
   /// and, to be `written`, a file with several names: SQLite keeps its log beside one of them, and who opens the file
   /// by another one damages it.
   StoreFile(std::string path, bool written);
@@ -32,6 +33,7 @@ class StoreFile {
   void require_in_place(Database& database) const;
 
  private:
+  void require_that_it_can_be(bool made) const;
   [[nodiscard]] bool in_place() const;
   [[nodiscard]] std::string present_name() const;
 

@@ -63,4 +63,17 @@ void move_near(std::span<Point> points, std::span<const Point> others, Periods p
   move_one<&Point::y>(points, others, periods.y);
 }
 
+std::string period_warning(const Curve& first, const Curve& second, Periods periods) {
+  if (!periods.any()) return {};
+  Rectangle box;
+  for (const Curve* const curve : {&first, &second}) {
+    for (const Point& point : curve->points) box.add(point);
+  }
+  const bool in_x = periods.x != 0 && box.width() > periods.x, in_y = periods.y != 0 && box.height() > periods.y;
+  if (!in_x && !in_y) return {};
+  const std::string names = first.name.empty() || second.name.empty() ? "" : " " + first.name + " and " + second.name;
+  return "the curves" + names + " are together wider than the period of " + (in_x ? "x" : "y") +
+         ": they could also meet where one of them is moved by a period, which is not counted";
+}
+
 }  // namespace lober

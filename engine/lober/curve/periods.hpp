@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 
 #include "lober/base/export.hpp"
+#include "lober/curve/curve.hpp"
 #include "lober/curve/point.hpp"
 
 namespace lober {
@@ -26,5 +28,10 @@ LOBER_API std::size_t unwrap(std::span<Point> points, Periods periods);
 /// Moves all points by the same whole periods, so that the middle of their box is as near to that of the others as can
 /// be. O(n).
 LOBER_API void move_near(std::span<Point> points, std::span<const Point> others, Periods periods);
+
+/// Says that two curves, as move_near has left them, are together wider than a period: they could also meet where one
+/// of them is moved by that period, which no operation counts, so that areas and crossings may be incomplete. It names
+/// the coordinate, and the curves where both have names. Empty where they are not, and without periods. O(N).
+[[nodiscard]] LOBER_API std::string period_warning(const Curve& first, const Curve& second, Periods periods);
 
 }  // namespace lober

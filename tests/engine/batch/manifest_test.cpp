@@ -199,6 +199,12 @@ TEST_F(ManifestTest, RefusalsNameLineAndKey) {
             "job.toml:5: options.passes: has to be at least 0");
   EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.0\""),
             "job.toml:2: curves: this gives no pair of curves");
+  EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = [\"separ.0\", \"separ.0\"]"),
+            "job.toml:2: curves: this gives no pair of curves: separ.0 is given twice, and counts once");
+  EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = [\"separ.0\", \"separ.1\"]\npairs = { lag = 99 }"),
+            "job.toml:2: curves: this gives no pair of curves: there are 2, and lag = 99 has to be less than that");
+  EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.0\"\nwith = \"separ.0\"\npairs = \"product\""),
+            "job.toml:2: curves: this gives no pair of curves: with has no other curve than separ.0");
   EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"zones.dat#three\""),
             "job.toml:2: curves: zones.dat has no zone titled \"three\"; there are \"one\", \"two\"");
   EXPECT_EQ(refusal("operation = \"overlay\"\nsystem = \"standard\"").substr(0, 18), "job.toml:2: system");

@@ -73,6 +73,8 @@ TEST_F(StoreTest, NothingIsStoredTwiceAndFailuresGiveWay) {
   Store first = started("s", plan_), second = started("s", plan_);
   first.append(std::vector{done(1, 1), failure(2, "two")}, {});
   second.append(std::vector{done(1, 10), done(2, 2), done(3, 3)}, {});
+  EXPECT_EQ(first.stored_meanwhile(), 0U);
+  EXPECT_EQ(second.stored_meanwhile(), 1U);
   first.append(std::vector{failure(2, "worse"), failure(3, "worse")}, {});
   const Store store = Store::open(path("s"));
   EXPECT_EQ(store.stored().size(), 3U);

@@ -63,5 +63,21 @@ TEST(Periods, CurvesAreMovedNearEachOther) {
   EXPECT_NEAR(curve[0].x, 0.1, 1e-14);
 }
 
+TEST(Periods, CurvesThatAreWiderTogetherAreWarnedOf) {
+  Curve first, second;
+  first.points = {{0, 0}, {0.7, 0}, {0.7, 0.7}};
+  second.points = {{0.6, 0}, {1.2, 0}, {1.2, 1.2}};
+  EXPECT_EQ(period_warning(first, second, {}), "");
+  EXPECT_EQ(period_warning(first, second, {.x = 1.2, .y = 1.2}), "");
+  EXPECT_EQ(period_warning(first, second, {.x = 1.1}),
+            "the curves are together wider than the period of x: they could also meet where one of them is moved by a "
+            "period, which is not counted");
+  first.name = "one";
+  second.name = "two";
+  EXPECT_TRUE(period_warning(first, second, {.x = 2, .y = 1})
+                  .starts_with("the curves one and two are together wider "
+                               "than the period of y: "));
+}
+
 }  // namespace
 }  // namespace lober
