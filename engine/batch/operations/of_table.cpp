@@ -7,7 +7,6 @@
 #include "engine/batch/operations/output_folder.hpp"
 #include "engine/batch/operations/output_name.hpp"
 #include "engine/batch/operations/result_numbers.hpp"
-#include "engine/operations/last_derived.hpp"
 #include "lober/base/error.hpp"
 #include "lober/curve/files.hpp"
 
@@ -59,9 +58,10 @@ Requirements requirements_of(Requirements wanted, const Options& options) {
   return wanted;
 }
 
-std::vector<operations::Input> inputs_of(const operations::Operation& entry, const Requirements& known,
+std::vector<operations::Input> inputs_of(const operations::Operation& entry, const Requirements& possible,
                                          const JobCurves& curves, const Options& options) {
   if (is_on_system(entry)) return {system_input_of(options, options.real("integration_tolerance"))};
+  const Requirements known = requirements_of(possible, options);
   std::vector<operations::Input> inputs;
   inputs.reserve(curves.size());
   for (std::size_t k = 0; k < curves.size(); ++k) {
@@ -90,12 +90,6 @@ void write_output(const JobCurves& curves, const Options& options, std::span<con
   write_npy(curves.outputs() != nullptr ? curves.outputs()->accept(name) : name, points);
 }
 
-// The consequences of options for every job that has them.
-struct Chosen {
-  Requirements known;  // curves meet these
-  bool lists;          // whether they ask for the lists
-};
-
 // The operation that a job runs, with the paths to its numbers.
 struct Runner {
   const operations::Operation* entry;
@@ -114,11 +108,7 @@ struct Runner {
     };
     context.holds = [&](std::size_t bytes) { curves.allowance().book(bytes); };
     context.on_part = [](const void*) {};  // orbits, which would be kept where nobody takes them
-    thread_local table::LastDerived<Chosen> last;
-    const Chosen chosen = last.of(options, this, [this](const Options& given) {
-      return Chosen{requirements_of(possible, given), !lists.empty() && (lists_if.empty() || given.flag(lists_if))};
-    });
-    const operations::Outcome found = entry->run(inputs_of(*entry, chosen.known, curves, options), options, context);
+    const operations::Outcome found = entry->run(inputs_of(*entry, possible, curves, options), options, context);
     if (const auto apart = found.agreement.disagreements(); !apart.empty()) {
       throw DataError("two routes disagree: " + apart.front().what + " by " + apart.front().first_by + " and by " +
                       apart.front().second_by + " differ by " + format_number(apart.front().difference()) +
@@ -128,7 +118,7 @@ struct Runner {
     if (points) write_output(curves, options, points(found));
     Result record;
     record.values = columns(found.value.get());
-    if (!chosen.lists) return record;
+    if (!lists_if.empty() && !options.flag(lists_if)) return record;
     for (const operations::NumberPath& path : lists) record.lists.push_back(path.all(found.value.get()));
     return record;
   }
