@@ -209,29 +209,37 @@ class TreeWalk {
   }
 
   // Replaces nodes of the second tree that are larger than `node` of the first by those below them that meet it; at a
-  // leaf, down to the leaves.
-  void split_to_size(TreeNode node, Buffer<TreeNode>& list, std::size_t& count, SearchCounts& counts) const {
-    const Box& box = first_.box(node);
-    const double largest = node.level == 0 ? -1 : box.extent();
+  // leaf, down to the leaves. go(from, number, kept, split) does so once, for a list, and returns how many it has put
+  // into `kept` and how many into `split`, to be looked at again.
+  template <typename Go>
+  void split(TreeNode node, Buffer<TreeNode>& list, std::size_t& count, SearchCounts& counts, const Go& go) const {
     if (stalls_) drop_points(node, list, count);
-    thread_local Buffer<TreeNode> waiting, split;
+    thread_local Buffer<TreeNode> waiting, below;
     std::size_t kept = 0, waiting_count = count;
     ensure_size(waiting, count);
     std::copy_n(list.begin(), count, waiting.begin());
     while (waiting_count > 0) {
-      ensure_size(list, kept + waiting_count + 1);
-      ensure_size(split, nodes_at_once * waiting_count + 1);
-      const SplitCounts refined =
-          refine(box, largest, second_.pyramid(), waiting.data(), waiting_count, &list[kept], split.data());
-      counts.boxes_tested += nodes_at_once * (waiting_count - refined.kept);
-      kept += refined.kept;
-      waiting.swap(split);
-      waiting_count = refined.split;
-      if (self_) waiting_count = drop_apart(node, waiting.data(), waiting_count);
+      ensure_size(list, kept + nodes_at_once * waiting_count + 1);
+      ensure_size(below, nodes_at_once * waiting_count + 1);
+      const SplitCounts done = go(waiting.data(), waiting_count, &list[kept], below.data());
+      kept += done.kept;
+      waiting.swap(below);
+      waiting_count = done.split;
       if (stalls_) drop_points(node, waiting, waiting_count);
       drop_beside(node, waiting, waiting_count, counts);
     }
     count = kept;
+  }
+
+  void split_to_size(TreeNode node, Buffer<TreeNode>& list, std::size_t& count, SearchCounts& counts) const {
+    const Box& box = first_.box(node);
+    const double largest = node.level == 0 ? -1 : box.extent();
+    split(node, list, count, counts, [&](const TreeNode* from, std::size_t number, TreeNode* kept, TreeNode* below) {
+      SplitCounts done = refine(box, largest, second_.pyramid(), from, number, kept, below);
+      counts.boxes_tested += nodes_at_once * (number - done.kept);
+      if (self_) done.split = drop_apart(node, below, done.split);
+      return done;
+    });
   }
 
   // The same by frames, for a curve with itself.
@@ -239,23 +247,12 @@ class TreeWalk {
     const FourFrames& four = frames_->four(node);
     const std::size_t which = node.index % nodes_at_once;
     const double largest = node.level == 0 ? -1 : frame_size(four, which);
-    if (stalls_) drop_points(node, list, count);
-    thread_local Buffer<TreeNode> waiting, split;
-    std::size_t kept = 0, waiting_count = count;
-    ensure_size(waiting, count);
-    std::copy_n(list.begin(), count, waiting.begin());
-    while (waiting_count > 0) {
-      ensure_size(list, kept + nodes_at_once * waiting_count + 1);
-      ensure_size(split, nodes_at_once * waiting_count + 1);
-      const SplitCounts refined = refine_frames(four, which, largest, frames_->pyramid(), second_.pyramid().size,
-                                                waiting.data(), waiting_count, &list[kept], split.data());
-      counts.boxes_tested += nodes_at_once * waiting_count;
-      kept += drop_apart(node, &list[kept], refined.kept);
-      waiting.swap(split);
-      waiting_count = drop_apart(node, waiting.data(), refined.split);
-      if (stalls_) drop_points(node, waiting, waiting_count);
-    }
-    count = kept;
+    split(node, list, count, counts, [&](const TreeNode* from, std::size_t number, TreeNode* kept, TreeNode* below) {
+      const SplitCounts done =
+          refine_frames(four, which, largest, frames_->pyramid(), second_.pyramid().size, from, number, kept, below);
+      counts.boxes_tested += nodes_at_once * number;
+      return SplitCounts{drop_apart(node, kept, done.kept), drop_apart(node, below, done.split)};
+    });
     if (stalls_) drop_points(node, list, count);
   }
 
