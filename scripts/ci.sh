@@ -15,14 +15,21 @@ record=.ci/passed
 watching_minutes=7  # of all steps that watch something together
 passed=0 failed=0 skipped=0 summary=() left_out=() limits_only=
 [ "${1:-}" = --limits ] && limits_only=1
-log=$(mktemp)
-trap 'rm -f "$log"' EXIT
+log=$(mktemp) output=$(mktemp)
+trap 'rm -f "$log" "$output"' EXIT
 
 took() { echo "$((($SECONDS - $1) / 60)) min $((($SECONDS - $1) % 60)) s"; }
 
 leave_out() {
   left_out+=("$1: $2")
   skipped=$((skipped + 1))
+}
+
+# What failed in the step that ran last, for the summary: who reads a log from its end sees it.
+name_failures() {
+  sleep 1  # until tee has written all
+  while read -r line; do summary+=("            ${line:0:200}"); done < <(
+    grep -aE '^\[  FAILED  \] .*\(|^FAILED |^ERROR test|^SUMMARY: |runtime error: |\*\*\*(Failed|Timeout|Exception)|^FAILED:' "$output" | sort -u | head -n 12)
 }
 
 # step NAME MINUTES COMMAND...
@@ -34,7 +41,7 @@ step() {
     return 0
   fi
   echo "== $name"
-  timeout --kill-after=30 "${limit}m" "$@"
+  timeout --kill-after=30 "${limit}m" "$@" > >(tee "$output") 2>&1
   status=$?
   case $status in
     0) summary+=("passed    $name, $(took "$begin")") passed=$((passed + 1)) ;;
@@ -44,9 +51,13 @@ step() {
         leave_out "$name" "the $watching_minutes minutes of the steps that watch sources were over"
       else
         summary+=("FAILED    $name: not done within $limit minutes") failed=$((failed + 1))
+        name_failures
       fi
       ;;
-    *) summary+=("FAILED    $name, status $status, $(took "$begin")") failed=$((failed + 1)) ;;
+    *)
+      summary+=("FAILED    $name, status $status, $(took "$begin")") failed=$((failed + 1))
+      name_failures
+      ;;
   esac
   return $status
 }

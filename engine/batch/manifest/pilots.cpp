@@ -14,8 +14,6 @@ namespace lober::detail {
 namespace {
 
 constexpr std::size_t max_pilots = 9;
-constexpr double max_seconds = 3;        // processor time after which no pilot begins
-constexpr double broken_off_after = 10;  // by the clock, which a busy machine lets run on
 
 // The ends first, then the middle, then the middles of what is between.
 std::vector<std::size_t> spread_over(std::size_t count) {
@@ -37,7 +35,7 @@ struct Flight {
   double forecast = 0;  // time of the job that it stands for
 };
 
-Flight flown(const Operation& operation, const Options& options, const Stopwatch& watch) {
+Flight flown(const Operation& operation, const Options& options, const Stopwatch& watch, double broken_off_after) {
   const Pilot pilot = operation.pilot(options);
   Result result;
   result.error = "broken off";
@@ -61,7 +59,7 @@ Flight flown(const Operation& operation, const Options& options, const Stopwatch
 
 }  // namespace
 
-Piloted run_pilots(const Plan& plan) {
+Piloted run_pilots(const Plan& plan, PilotLimits limits) {
   Piloted found;
   for (std::uint32_t job = 0; job < plan.jobs.size(); ++job) {
     if (plan.group_of(plan.jobs[job]).operation->pilot) found.jobs.push_back(job);
@@ -71,9 +69,9 @@ Piloted run_pilots(const Plan& plan) {
   std::vector<std::size_t> judged;
   found.seconds.resize(found.jobs.size());
   for (const std::size_t k : spread_over(found.jobs.size())) {
-    if (!judged.empty() && (taken > max_seconds || watch.seconds() > broken_off_after)) break;
+    if (!judged.empty() && (taken > limits.processor || watch.seconds() > limits.clock)) break;
     const JobGroup& group = plan.group_of(plan.jobs[found.jobs[k]]);
-    const Flight flight = flown(*group.operation, group.options, watch);
+    const Flight flight = flown(*group.operation, group.options, watch, limits.clock);
     taken += flight.seconds;
     found.seconds[k] = flight.forecast;
     judged.push_back(k);

@@ -1,5 +1,6 @@
 #include "lober/overlay/crossings.hpp"
 
+#include "engine/base/parallel/running_sums.hpp"
 #include "engine/geometry/crossings/crossings_data.hpp"
 #include "engine/geometry/curve/scaled.hpp"
 
@@ -25,14 +26,14 @@ Crossings detail::make_crossings(NodeGraph graph, const IndexedCurve& c1, const 
   set_curves(*data, c1, c2);
   data->clockwise1 = orientation1 == Orientation::clockwise;
   data->clockwise2 = orientation2 == Orientation::clockwise;
-  const bool all_proper = data->graph.spans.empty();
-  if (all_proper) data->crossings = data->graph.size();
-  for (std::uint32_t k = 0; k < data->graph.size() && !all_proper; ++k) {
-    const bool arc = data->graph.span(k).direction != 0;
-    const bool crossing = data->graph.order[k] < first_touch;
-    if (crossing) ++data->crossings;
-    if (arc) ++data->shared_arcs;
-    if (!crossing && !arc) ++data->touches;
+  const NodeGraph& nodes = data->graph;
+  data->crossings = nodes.size();
+  if (!nodes.spans.empty()) {
+    const auto crosses = [&](std::size_t k) { return nodes.order[k] < first_touch; };
+    const auto is_arc = [&](std::size_t k) { return nodes.spans[k].direction != 0; };
+    data->crossings = sum_of(nodes.size(), crosses);
+    data->shared_arcs = sum_of(nodes.size(), is_arc);
+    data->touches = sum_of(nodes.size(), [&](std::size_t k) { return !crosses(k) && !is_arc(k); });
   }
   if (data->graph.same_curve != 0) data->shared_arcs = 1;
   return Crossings(std::move(data));

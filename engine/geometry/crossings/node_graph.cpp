@@ -1,8 +1,9 @@
 #include "engine/geometry/crossings/node_graph.hpp"
 
 #include <algorithm>
+#include <vector>
 
-#include "engine/base/parallel/parallel.hpp"
+#include "engine/base/parallel/running_sums.hpp"
 #include "engine/base/stopwatch.hpp"
 #include "engine/geometry/crossings/rotation.hpp"
 
@@ -36,7 +37,9 @@ class Joiner {
   Joiner(const CurveView& c1, const CurveView& c2, const ContactList& contacts, const Buffer<std::uint32_t>& order2)
       : c1_(c1), c2_(c2), contacts_(contacts), rank2_(contacts.size()), joined_(contacts.size()) {
     const auto count = static_cast<std::uint32_t>(contacts.size());
-    for (std::uint32_t k = 0; k < count; ++k) rank2_[order2[k]] = k;
+    for_each_block(count, nodes_a_task, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) rank2_[order2[k]] = static_cast<std::uint32_t>(k);
+    });
     for_each_block(count, nodes_a_task, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) joined_[k] = direction_to_next(static_cast<std::uint32_t>(k));
     });
@@ -81,30 +84,52 @@ class Joiner {
   Buffer<std::int8_t> joined_;
 };
 
-// Joins contacts to nodes where there is anything to join.
+// Joins contacts to nodes where there is anything to join: each begins where no shared way comes from before.
 void find_spans(const Joiner& joiner, NodeGraph& graph) {
   const auto count = static_cast<std::uint32_t>(graph.contacts.size());
-  std::uint32_t start = 0;
-  while (start < count && joiner.joined(start == 0 ? count - 1 : start - 1) != 0) ++start;
-  if (start == count) {  // all the way round
-    graph.same_curve = joiner.joined(0);
-    return;
-  }
-  for (std::uint32_t step = 0; step < count;) {
-    const std::uint32_t first = (start + step) % count;
-    const std::int8_t direction = joiner.joined(first);
+  const auto begins = [&](std::size_t contact) {
+    return joiner.joined(contact == 0 ? count - 1 : static_cast<std::uint32_t>(contact - 1)) == 0;
+  };
+  graph.spans = gathered<NodeSpan>(count, begins, [&](std::size_t contact) {
+    const auto first = static_cast<std::uint32_t>(contact);
     std::uint32_t last = first;
-    ++step;
-    while (joiner.joined(last) != 0) {
-      last = last + 1 == count ? 0 : last + 1;
-      ++step;
+    while (joiner.joined(last) != 0) last = last + 1 == count ? 0 : last + 1;
+    return NodeSpan{first, last, joiner.joined(first)};
+  });
+  if (graph.spans.empty() && count > 0) graph.same_curve = joiner.joined(0);  // all the way round
+}
+
+// The order of half-edges at each node.
+void find_rotations(const CurveView& c1, const CurveView& c2, NodeGraph& graph) {
+  const std::size_t nodes = graph.spans.size();
+  graph.order.resize(nodes);
+  std::vector<PredicateCounts> counts((nodes + nodes_a_task - 1) / nodes_a_task);
+  for_each_block(nodes, nodes_a_task, [&](std::size_t begin, std::size_t end) {
+    PredicateCounts here;
+    for (std::size_t k = begin; k < end; ++k) {
+      const NodeSpan& span = graph.spans[k];
+      const Contact first = graph.contacts[span.first], last = graph.contacts[span.last];
+      graph.order[k] = span.direction == 0 ? rotation_at_point(first, c1, c2, here)
+                                           : rotation_at_arc(first, last, span.direction, c1, c2, here);
     }
-    graph.spans.push_back({first, last, direction});
-  }
-  std::rotate(graph.spans.begin(),
-              std::min_element(graph.spans.begin(), graph.spans.end(),
-                               [](const NodeSpan& x, const NodeSpan& y) { return x.first < y.first; }),
-              graph.spans.end());
+    counts[begin / nodes_a_task] = here;
+  });
+  for (const PredicateCounts& here : counts) graph.counts.predicates += here;
+}
+
+// Nodes in the order along C2 of their first contacts.
+void order_nodes_along_second(NodeGraph& graph) {
+  constexpr std::uint32_t none = 0xffffffff;
+  Buffer<std::uint32_t> node_of(graph.contacts.size());
+  for_each_block(node_of.size(), nodes_a_task, [&](std::size_t begin, std::size_t end) {
+    std::fill(node_of.begin() + begin, node_of.begin() + end, none);
+  });
+  for_each_block(graph.spans.size(), nodes_a_task, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) node_of[graph.spans[k].first] = static_cast<std::uint32_t>(k);
+  });
+  graph.nodes2 = gathered<std::uint32_t>(
+      graph.contacts2.size(), [&](std::size_t k) { return node_of[graph.contacts2[k]] != none; },
+      [&](std::size_t k) { return node_of[graph.contacts2[k]]; });
 }
 
 }  // namespace
@@ -131,22 +156,8 @@ NodeGraph build_node_graph(const IndexedCurve& c1, const IndexedCurve& c2, Index
       graph.order_seconds = contacts.order_seconds + watch.seconds();
       return graph;
     }
-    const std::size_t nodes = graph.spans.size();
-    graph.order.resize(nodes);
-    Buffer<std::uint32_t> node_of(contact_count);
-    std::fill(node_of.begin(), node_of.end(), 0xffffffffU);
-    for (std::size_t k = 0; k < nodes; ++k) {
-      const NodeSpan& span = graph.spans[k];
-      const Contact first = graph.contacts[span.first], last = graph.contacts[span.last];
-      PredicateCounts& counts = graph.counts.predicates;
-      graph.order[k] = span.direction == 0 ? rotation_at_point(first, c1.view(), c2.view(), counts)
-                                           : rotation_at_arc(first, last, span.direction, c1.view(), c2.view(), counts);
-      node_of[span.first] = static_cast<std::uint32_t>(k);  // along C2 a node sits where its first contact does
-    }
-    graph.nodes2.reserve(nodes);
-    for (const std::uint32_t contact : graph.contacts2) {
-      if (node_of[contact] != 0xffffffffU) graph.nodes2.push_back(node_of[contact]);
-    }
+    find_rotations(c1.view(), c2.view(), graph);
+    order_nodes_along_second(graph);
   }
   const Buffer<std::uint32_t>& along2 = graph.along2();
   graph.rank2.resize(along2.size());
