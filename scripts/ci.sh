@@ -113,7 +113,7 @@ step "Debian packages" 3 scripts/install-packages.sh clang clang-tidy clang-form
 step "format" 1 scripts/check-format.sh
 step "words" 1 scripts/check-words.sh
 step "numbers of README" 1 scripts/check-numbers.sh
-step "the Python module, its tests and types" 5 make -s python
+step "the Python module, its tests and types" 10 make -s python
 step "commands and code of README and documents" 3 scripts/check-readme.sh
 # Without the program: operations_test runs all operations, and clang-tidy below compiles what has changed of it.
 instrumented=(lober_tests fuzz_text fuzz_raw fuzz_npy fuzz_formats fuzz_store)
