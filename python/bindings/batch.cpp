@@ -32,6 +32,8 @@ py::dict dict_of_report(const BatchReport& report) {
   parts["threads"] = report.queue.threads;
   parts["seconds"] = report.wall_seconds;
   parts["damaged"] = report.damaged;
+  parts["hidden"] = report.hidden;
+  parts["stored_meanwhile"] = report.stored_meanwhile;
   parts["warnings"] = report.queue.warnings;
   return parts;
 }

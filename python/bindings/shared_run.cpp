@@ -32,6 +32,8 @@ py::dict report(const SharedRun& run) {
   parts["run"] = all.queue.jobs;
   parts["failed"] = all.queue.failed;
   parts["damaged"] = all.damaged;
+  parts["hidden"] = all.hidden;
+  parts["stored_meanwhile"] = all.stored_meanwhile;
   return parts;
 }
 

@@ -58,6 +58,10 @@ def _run(given: argparse.Namespace) -> int:
     print(f"{report.jobs} jobs: {report.finished_before} done before, {report.run} run, {report.failed} failed")
     print(f"{report.seconds:.3f} s on {report.threads} threads of workers")
     print(f"results in {store.path}")
+    if report.hidden:
+        print(f"it has {report.hidden} results of another manifest or of earlier inputs too: tables show this manifest alone")
+    if report.stored_meanwhile:
+        print(f"{report.stored_meanwhile} results had been stored by another process meanwhile")
     _warn([f"{line}; it was done again" for line in report.damaged])
     _warn(report.warnings)
     if report.failed:

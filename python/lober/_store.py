@@ -49,6 +49,10 @@ class Report:
     #: A line for each curve, and each pair, whose results may not mean what you think: longitudes that were stored modulo
     #: 360, and no period in the manifest. Sorted, the first thousand that were found.
     warnings: list[str]
+    #: Results of the store that are not of this manifest and its inputs as they are now: tables show this manifest alone.
+    hidden: int
+    #: Results that another process stored while this run computed them too: parallel processes need a shard each.
+    stored_meanwhile: int
 
     @classmethod
     def _of(cls, parts: dict[str, Any]) -> Report:

@@ -67,6 +67,13 @@ def test_a_file_has_its_store_beside_it_and_goes_on_where_it_was(curves: Path) -
     assert again.operations == ["overlay"]
 
 
+def test_a_report_counts_what_the_tables_hide(curves: Path) -> None:
+    first = lober.batch.run(OVERLAYS, store="both.results")
+    assert first.report is not None and (first.report.hidden, first.report.stored_meanwhile) == (0, 0)
+    other = lober.batch.run({**OVERLAYS, "curves": ["circles.dat#0", "circles.dat#1"]}, store="both.results")
+    assert other.report is not None and (other.report.run, other.report.hidden) == (0, 5)
+
+
 def test_tables(curves: Path) -> None:
     store = lober.batch.run({**OVERLAYS, "options": {"lobes": True}})
     frame = store.to_pandas(lists=True)
