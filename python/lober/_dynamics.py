@@ -34,7 +34,7 @@ class FixedPoint:
     residual: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class FixedPoints(Result):
     """The points in a box, sorted by period, x, y."""
 
@@ -60,6 +60,10 @@ class FixedPoints(Result):
             search["index_of_box"],
             run.of.chosen()["box"],
         )
+
+    def __repr__(self) -> str:
+        some = [f"{point.type} of period {point.period} at {point.at}" for point in self.points[:4]]
+        return f"<FixedPoints: {len(self.points)}: {'; '.join(some)}{'; ...' if len(self.points) > 4 else ''}>"
 
     def __len__(self) -> int:
         return len(self.points)
@@ -113,7 +117,7 @@ class GrowthDiagnostic:
     cause: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Manifold(Result):
     """One branch of a manifold, from its saddle on.
 
@@ -153,6 +157,11 @@ class Manifold(Result):
             local["multiplier"],
             local["defect_across"],
         )
+
+    def __repr__(self) -> str:
+        generations = len(self.generation_begin) - 1
+        size = f"{len(self.points)} points of {generations} generations, length {self.length:.15g}"
+        return f"<Manifold: from {self.saddle}, {size}, ended by {self.stop}, {len(self.diagnostics)} diagnostics>"
 
 
 @dataclass(frozen=True)

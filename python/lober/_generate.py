@@ -174,7 +174,7 @@ class Classes:
         more = ", comparisons: list[tuple[Any, ...]]" if compares else ""
         what = sentence(meaning) + (" A column each." if columns else "")
         self.text += (
-            f'\n\n@dataclass(frozen=True)\nclass {name}{of_result}:\n    """{wrapped(what, 4)}"""\n\n{lines}\n'
+            f'\n\n@dataclass(frozen=True{", repr=False" if of_result else ""})\nclass {name}{of_result}:\n    """{wrapped(what, 4)}"""\n\n{lines}\n'
             f'    @classmethod\n    def _of(cls, v: dict[str, Any]{more}) -> "{name}":\n        return cls(\n{made}        )\n'
         )
         return name

@@ -208,7 +208,7 @@ class CurveTransportError:
         )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class CurveTransport(Result):
     """The result of `curve_transport`."""
 
@@ -410,7 +410,7 @@ class DensifyDiagnostics:
         )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Densify(Result):
     """The result of `densify`."""
 
@@ -829,7 +829,7 @@ class LevelsLevels:
         )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Levels(Result):
     """The result of `levels`."""
 
@@ -1066,7 +1066,7 @@ class SimplifyResult:
         )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Simplify(Result):
     """The result of `simplify`."""
 
@@ -1218,7 +1218,7 @@ class SweepZeros:
         )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Sweep(Result):
     """The result of `sweep`."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -70,6 +71,16 @@ class Result:
         except ImportError:
             raise UsageError("this build of lober has no viewer; plot() draws with matplotlib") from None
         return _view.view(self, **options)
+
+    def __repr__(self) -> str:
+        """Its first numbers with their error bars, and how long its lists are. Nothing is computed for it."""
+        fields, value = TABLE[self._run.name]["result"], self._run.value
+        parts = [
+            f"{path} = {number:.15g}" if error is None else f"{path} = {number:.15g} +- {error:.1e}"
+            for path, number, error, _ in itertools.islice(numbers_of(fields, value), 6)
+        ]
+        parts += [f"{count} {path}" for path, count in itertools.islice(lists_of(fields, value), 6)]
+        return f"<{type(self).__name__}: {', '.join(parts)}>"
 
     def _repr_html_(self) -> str:
         """Numbers, and how long lists are. Nothing is computed for it."""

@@ -104,7 +104,7 @@ class TransportBoundary:
     outline: Points
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Transport(Result):
     """The result of `transport`. Matrices are arrays of n x regions x regions, for n = 1, 2, ..., NaN where a route
     does not lead."""
@@ -153,6 +153,11 @@ class Transport(Result):
         remember(made, run)
         return made
 
+    def __repr__(self) -> str:
+        agreed = "routes agree" if self.agreement else "routes disagree"
+        areas = ", ".join(f"{region.area.value:.10g}" for region in self.regions if region.bounded)
+        return f"<Transport: n = 1 ... {len(self.n)}, {len(self.regions)} regions, bounded areas {areas}, {agreed}>"
+
     def _repr_html_(self) -> str:
         rows = [
             [
@@ -197,7 +202,7 @@ class Bottleneck:
     exit: list[Points]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Escape(Result):
     """The result of `escape`.
 
@@ -219,6 +224,11 @@ class Escape(Result):
     survival: NDArray[Any]
 
     _picture = "exits"
+
+    def __repr__(self) -> str:
+        agreed = "routes agree" if self.agreement else "routes disagree"
+        size = f"{len(self.bottlenecks)} bottlenecks, {self.crossings} crossings ({self.stop}), {len(self.table)} rows"
+        return f"<Escape: energy {self.energy:.15g}, {size}, {agreed}>"
 
     def _repr_html_(self) -> str:
         names = self.table.dtype.names or ()

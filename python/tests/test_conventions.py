@@ -95,7 +95,7 @@ def test_numbers_of_datasets(results: dict[str, Any]) -> None:
 def test_results_are_shown_in_notebooks(results: dict[str, Any], name: str) -> None:
     html = results[name]._repr_html_()
     assert "<table>" in html and "object at 0x" not in html
-    assert "object at 0x" not in repr(results[name])
+    assert "object at 0x" not in repr(results[name]) and len(repr(results[name])) < 600
 
 
 @pytest.mark.parametrize("name", CASES)
