@@ -99,7 +99,7 @@ make_test() {
 export -f make_test
 export log
 
-step "make test" 20 bash -c make_test
+step "make test" 21 bash -c make_test
 if [ -z "$limits_only" ]; then
   # The tests count one by one.
   counts=$(grep -E '^[0-9]+ passed, [0-9]+ failed, [0-9]+ skipped$' "$log" | tail -n 1)
@@ -113,16 +113,16 @@ step "Debian packages" 3 scripts/install-packages.sh clang clang-tidy clang-form
 step "format" 1 scripts/check-format.sh
 step "words" 1 scripts/check-words.sh
 step "numbers of README" 1 scripts/check-numbers.sh
-step "the Python module, its tests and types" 10 make -s python
+step "the Python module, its tests and types" 7 make -s python
 step "commands and code of README and documents" 3 scripts/check-readme.sh
 # Without the program: operations_test runs all operations, and clang-tidy below compiles what has changed of it.
 instrumented=(lober_tests fuzz_text fuzz_raw fuzz_npy fuzz_formats fuzz_store)
-sanitized_minutes=12
+sanitized_minutes=11
 if [ -n "$all" ]; then
   instrumented=()
   sanitized_minutes=30  # of all tests, not a chosen part
 fi
-if step "clang with ASan and UBSan, warnings as errors" 22 scripts/ci-build.sh asan-ubsan "${instrumented[@]}"; then
+if step "clang with ASan and UBSan, warnings as errors" 20 scripts/ci-build.sh asan-ubsan "${instrumented[@]}"; then
   step "tests under ASan and UBSan" "$sanitized_minutes" scripts/ci-sanitized.sh build-asan
 fi
 if [ -n "$limits_only" ]; then

@@ -59,7 +59,7 @@ TEST_F(Pilots, EscapesAreEstimatedWithinAFactorOfThree) {
 
 TEST_F(Pilots, TheyAreSpreadOverAGrid) {
   const Plan grid = plan_of(
-      "operation = \"escape\"\noptions = { system = \"capsize\", monte_carlo = 0, crossings = 1, tolerance = 1e-2 }\n"
+      "operation = \"escape\"\noptions = { system = \"capsize\", monte_carlo = 0, crossings = 0, tolerance = 1e-2 }\n"
       "grid = { energy = \"0.251:0.300:0.0001\" }\n");
   const Piloted found = run_pilots(grid, unlimited);
   EXPECT_EQ(found.jobs.size(), 491U);
