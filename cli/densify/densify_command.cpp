@@ -141,7 +141,7 @@ void run(const DensifyRequest& request) {
     }
   }
   if (!takes_standard_output(outputs)) print_report(densify_summary(curves, outcome.as<RefinedCurve>()));
-  for (const std::string& remark : outcome.remarks) log_warning("warning: " + remark);
+  log_remarks(outcome.remarks);
   if (!outcome.incomplete.empty()) log_warning(with_option_names(outcome.incomplete));
 }
 

@@ -48,7 +48,7 @@ CurvesReport run_on_curves(const std::string& operation, const std::array<std::s
                     (remark.empty() ? "" : "; the curve " + remark));
   }
   if (!apart.empty()) report.outcome.remarks.push_back(apart);
-  for (const std::string& remark : report.outcome.remarks) log_warning("warning: " + remark);
+  log_remarks(report.outcome.remarks);
   return report;
 }
 

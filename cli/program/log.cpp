@@ -30,6 +30,10 @@ void log_error(std::string_view message) {
   write_above_status_line([&] { spdlog::error("{}", with_option_names(message)); });
 }
 
+void log_remarks(std::span<const std::string> remarks) {
+  for (const std::string& remark : remarks) log_warning("warning: " + remark);
+}
+
 void flush_log() {
   spdlog::default_logger()->flush();
 }

@@ -2,6 +2,8 @@
 // command.
 #pragma once
 
+#include <span>
+#include <string>
 #include <string_view>
 
 namespace lober::cli {
@@ -15,6 +17,8 @@ void show_all_messages();
 void log_info(std::string_view message);
 void log_warning(std::string_view message);
 void log_error(std::string_view message);
+/// What a user should know about a result (Outcome::remarks), as warnings.
+void log_remarks(std::span<const std::string> remarks);
 /// Everything is on its way before the process may end.
 void flush_log();
 

@@ -169,7 +169,7 @@ void run(const operations::Operation& operation, const OperationRequest& request
   if (!takes_standard_output(outputs)) {
     print_report(agreement_text(outcome.agreement) + outcome_table(operation.result, outcome.value.get()));
   }
-  for (const std::string& remark : outcome.remarks) log_warning("warning: " + remark);
+  log_remarks(outcome.remarks);
   require_agreement(outcome.agreement);
   if (!outcome.incomplete.empty()) throw DataError(outcome.incomplete);
   if (!outcome.failed.empty()) throw DataError(outcome.failed);

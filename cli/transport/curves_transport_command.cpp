@@ -72,7 +72,7 @@ void run(const CurvesTransportRequest& request) {
     context.progress = [&](double fraction, const std::string&) { return progress.advance(fraction); };
     with_names_of(report.inputs[0], report.inputs[1],
                   [&] { report.outcome = operation.run(inputs, options, context); });
-    for (const std::string& remark : report.outcome.remarks) log_warning("warning: " + remark);
+    log_remarks(report.outcome.remarks);
     if (!request.html.empty())
       write_page(request.html, "transport", operation, report.outcome, inputs, notes_on(report.inputs));
     if (!request.json.empty()) {

@@ -180,7 +180,7 @@ void run_sweep(const TransportRequest& request) {
       };
     }
     report.outcome = operation.run(std::array<operations::Input, 1>{input}, options, context);
-    for (const std::string& remark : report.outcome.remarks) log_warning(remark);
+    log_remarks(report.outcome.remarks);
     const Figure areas = sweep_figure(report);
     if (request.picture.asked()) write_figure(request.picture, areas);
     if (!request.fluxes.empty()) write_figure(request.fluxes, areas, request.picture.style());

@@ -69,8 +69,7 @@ CurveView curve_at(const Operation& operation, std::span<const Input> inputs, st
 
 // The pass that builds the index sees a coordinate that is not finite; only then is it worth another to say which.
 IndexedCurve indexed_curve(const Operation& operation, std::span<const Input> inputs, std::size_t k) {
-  const CurveInput* const given = given_curve(inputs[k]);
-  if (given != nullptr && given->index != nullptr) return *given->index;
+  if (is_indexed(inputs, k)) return *given_curve(inputs[k])->index;
   const CurveView curve = view_of(operation, inputs, k, operation.inputs[k].kind == InputKind::closed_curve);
   require_enough_vertices(curve, name_of(operation, inputs, k));
   IndexedCurve indexed(curve);
