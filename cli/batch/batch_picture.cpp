@@ -159,7 +159,7 @@ void add_curve(Figure& figure, const JobValues& jobs, const std::vector<std::siz
   std::map<std::size_t, std::size_t> job_at;
   for (const std::size_t k : chosen) {
     const auto at = steps.number_of(jobs.value(k, x));
-    if (!at || !jobs.value(k, value).is_number()) continue;
+    if (!at || !jobs.result(k, value).is_number()) continue;
     if (const auto [found, is_new] = job_at.emplace(*at, k); !is_new) fail_of_two(jobs, found->second, k, {x});
   }
   Layer dots = dot_layer(value, counted(job_at.size(), "job", "jobs"), {}, 1.4);
@@ -167,10 +167,10 @@ void add_curve(Figure& figure, const JobValues& jobs, const std::vector<std::siz
   bool has_errors = false;
   for (const auto& [at, k] : job_at) {
     const double along = axis.axis.categories.empty() ? steps.values[at].get<double>() : static_cast<double>(at);
-    const double height = jobs.value(k, value).get<double>();
+    const double height = jobs.result(k, value).get<double>();
     double error = 0;
     for (const std::string& name : {value + "_error", "discretisation_" + value}) {
-      if (const Json one = jobs.value(k, name); one.is_number()) error = one.get<double>(), has_errors = true;
+      if (const Json one = jobs.result(k, name); one.is_number()) error = one.get<double>(), has_errors = true;
     }
     dots.points.push_back({along, height});
     dots.errors.push_back(error);
@@ -194,10 +194,10 @@ void add_map(Figure& figure, const JobValues& jobs, const std::vector<std::size_
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> job_at;
   for (const std::size_t k : chosen) {
     const auto column = columns.number_of(jobs.value(k, x)), row = rows.number_of(jobs.value(k, y));
-    if (!column || !row || !jobs.value(k, value).is_number()) continue;
+    if (!column || !row || !jobs.result(k, value).is_number()) continue;
     const auto [found, is_new] = job_at.emplace(std::pair(*column, *row), k);
     if (!is_new) fail_of_two(jobs, found->second, k, {x, y});
-    cells.push_back({*column, *row, jobs.value(k, value).get<double>()});
+    cells.push_back({*column, *row, jobs.result(k, value).get<double>()});
   }
   add_heat_map(figure, columns.axis(x), rows.axis(y), cells);
 }
@@ -208,12 +208,12 @@ std::string first_that_varies(const JobValues& jobs) {
     if (result.ends_with("_error")) continue;
     const auto same_as = [&](const std::string& other) {
       for (std::size_t k = 0; k < jobs.size(); ++k) {
-        if (jobs.value(k, result) != jobs.value(k, other)) return false;
+        if (jobs.result(k, result) != jobs.value(k, other)) return false;
       }
       return true;
     };
     bool varies = false;
-    for (std::size_t k = 1; k < jobs.size(); ++k) varies |= jobs.value(k, result) != jobs.value(0, result);
+    for (std::size_t k = 1; k < jobs.size(); ++k) varies |= jobs.result(k, result) != jobs.result(0, result);
     if (varies && std::none_of(jobs.varied().begin(), jobs.varied().end(), same_as)) return result;
   }
   return jobs.results().front();

@@ -111,6 +111,10 @@ Json JobValues::value(std::size_t k, const std::string& name) const {
   };
   if (name == "first") return name_of(job(k).first);
   if (name == "second") return name_of(job(k).second);
+  return result(k, name);
+}
+
+Json JobValues::result(std::size_t k, const std::string& name) const {
   const auto& columns = operation_.columns;
   const auto at = std::find_if(columns.begin(), columns.end(), [&](const auto& one) { return one.name == name; });
   if (at == columns.end()) return {};

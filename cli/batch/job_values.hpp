@@ -31,6 +31,8 @@ class JobValues {
   /// The value of a job under the name of a column, of an option, or of a parameter: "K" for "options.parameters.K";
   /// null where it has none, or one that is not finite.
   [[nodiscard]] Json value(std::size_t job, const std::string& name) const;
+  /// The same of a column alone: some results are named like options (`points`).
+  [[nodiscard]] Json result(std::size_t job, const std::string& name) const;
   /// A list of the result, empty where there is none.
   [[nodiscard]] std::span<const double> list(std::size_t job, std::string_view name) const;
 

@@ -56,12 +56,13 @@ std::optional<EscapeRequest> parse_escape(const std::vector<std::string>& argume
   add_json_option(parser, request.json);
   add_picture_options(parser, request.picture, "the curves on the section");
   add_html_option(parser, request.html);
-  parser
-      .add("--curves", request.curves,
-           "Write the periodic orbits, as points of position, and the curves of all tubes on the section, their images "
-           "and pre-images to FILE, in the format of its ending (default: no file).")
-      .value("FILE");
-  add_format_option(parser, request.format);
+  const Option curves = parser
+                            .add("--curves", request.curves,
+                                 "Write the periodic orbits, as points of position, and the curves of all tubes on the "
+                                 "section, their images "
+                                 "and pre-images to FILE, in the format of its ending (default: no file).")
+                            .value("FILE");
+  add_format_option(parser, request.format).needs(curves);
   const Option tubes =
       parser
           .add("--tubes", request.tubes,

@@ -84,16 +84,18 @@ std::optional<ImageRequest> parse_image(const std::vector<std::string>& argument
   options["circle"].excludes(options["rectangle"]).excludes(options["boundary"]);
   options["rectangle"].excludes(options["boundary"]);
   add_integration_option(parser, request.system.integration);
-  parser
-      .add("-o,--output", request.output,
-           ("Write the images to FILE, whose ending is its format: " + written_endings() +
-            ". Several go into one file, if its format holds several curves, or, with {n} in the name, which becomes "
-            "the "
-            "number of the iterate, into a file for each. An image with gaps is written in parts, each an open curve "
-            "(default: no file).")
-               .c_str())
-      .value("FILE");
-  add_format_option(parser, request.format);
+  const Option output = parser
+                            .add("-o,--output", request.output,
+                                 ("Write the images to FILE, whose ending is its format: " + written_endings() +
+                                  ". Several go into one file, if its format holds several curves, or, with {n} in the "
+                                  "name, which becomes "
+                                  "the "
+                                  "number of the iterate, into a file for each. An image with gaps is written in "
+                                  "parts, each an open curve "
+                                  "(default: no file).")
+                                     .c_str())
+                            .value("FILE");
+  add_format_option(parser, request.format).needs(output);
   add_picture_options(parser, request.picture, "all images");
   add_json_option(parser, request.json);
   add_table_option(parser);

@@ -91,13 +91,13 @@ void run_levels(const std::vector<std::string>& arguments) {
   const TableOptions options(parser, operation);
   options["number"].excludes(options["at"]).excludes(options["energy"]);
   options["energy"].excludes(options["at"]);
-  parser
-      .add("-o,--output", request.output,
-           ("Write the curves to FILE, whose ending is its format: " + written_endings() +
-            "; their vertices lie on the level to rounding (default: no file).")
-               .c_str())
-      .value("FILE");
-  add_format_option(parser, request.format);
+  const Option output = parser
+                            .add("-o,--output", request.output,
+                                 ("Write the curves to FILE, whose ending is its format: " + written_endings() +
+                                  "; their vertices lie on the level to rounding (default: no file).")
+                                     .c_str())
+                            .value("FILE");
+  add_format_option(parser, request.format).needs(output);
   const Option picture = add_picture_options(parser, request.picture, "the level curves");
   parser
       .add_flag("--periodic-orbits", request.periodic_orbits,

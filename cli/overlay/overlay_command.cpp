@@ -52,7 +52,7 @@ std::optional<OverlayRequest> parse_overlay(const std::vector<std::string>& argu
                                .value("FILE");
   const Option picture = add_picture_options(parser, request.picture, "the curves and the lobes", "the lobes");
   add_html_option(parser, request.html);
-  add_format_option(parser, request.format);
+  add_format_option(parser, request.format).needs(lobes);
   TableOptions options(parser, operations::named("overlay"));
   options["areas_only"].excludes(lobes).excludes(picture).excludes(rings);
   Option rule = add_rule_option(parser, request.rule);

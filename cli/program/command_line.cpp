@@ -132,11 +132,11 @@ void add_points_option(OptionParser& parser, std::string& path, std::string& for
   help += required ? "." : " (default: no file).";
   Option option = parser.add("-o,--output", path, help.c_str()).value("FILE");
   if (required) option.required();
-  add_format_option(parser, format);
+  add_format_option(parser, format).needs(option);
 }
 
-void add_format_option(OptionParser& parser, std::string& format) {
-  parser.add("--format", format, "The format of curves that are written (default: by the ending of FILE).")
+Option add_format_option(OptionParser& parser, std::string& format) {
+  return parser.add("--format", format, "The format of curves that are written (default: by the ending of FILE).")
       .value("KIND")
       .one_of(written_formats());
 }

@@ -50,7 +50,7 @@ void add_periodic_option(OptionParser& parser, Periods& periods);
 /// -o FILE, of points, and --format of it.
 void add_points_option(OptionParser& parser, std::string& path, std::string& format, bool required);
 /// --format KIND of the files of curves.
-void add_format_option(OptionParser& parser, std::string& format);
+Option add_format_option(OptionParser& parser, std::string& format);
 /// --json FILE. `what` is written to it.
 void add_json_option(OptionParser& parser, std::string& path, const std::string& what = "the results");
 /// --threads N, for run_with_threads (lober/threads.hpp).

@@ -17,7 +17,7 @@ void show_all_messages();
 void log_info(std::string_view message);
 void log_warning(std::string_view message);
 void log_error(std::string_view message);
-/// What a user should know about a result (Outcome::remarks), as warnings.
+/// Remarks on a result (Outcome::remarks), as warnings.
 void log_remarks(std::span<const std::string> remarks);
 /// Everything is on its way before the process may end.
 void flush_log();

@@ -27,6 +27,9 @@ void TangleOutputs::add_options(OptionParser& parser) {
 }
 
 std::vector<Output> TangleOutputs::files() const {
+  if (!format.empty() && lobes.empty() && boundary.empty() && pips.empty()) {
+    throw UsageError("--format needs --lobes, --boundary or --pips: it is the format of these");
+  }
   std::vector<Output> outputs = picture.outputs();
   for (const auto& [option, path] : {std::pair{"--json", json},
                                      {"--graph", graph},

@@ -205,7 +205,11 @@ class Tangle(Recomputed):
         return self._of.remarks
 
     def __repr__(self) -> str:
-        return f"<Tangle: {len(self.nodes)} crossings, {len(self.pips)} pips, {len(self.lobes)} lobes>"
+        return f"<Tangle: {self._size()}>"
+
+    def _size(self) -> str:
+        crossings = np.count_nonzero(self.nodes["rho"])  # the others are touches
+        return f"{crossings} crossings, {len(self.pips)} pips, {len(self.lobes)} lobes"
 
     def _repr_html_(self) -> str:
         lobes = self.lobes
@@ -220,5 +224,5 @@ class Tangle(Recomputed):
             for k in range(min(len(lobes), 20))
         ]
         more = f"<p>and {len(lobes) - 20} more</p>" if len(lobes) > 20 else ""
-        title = f"<p>{len(self.nodes)} crossings, {len(self.pips)} pips, {len(lobes)} lobes</p>"
+        title = f"<p>{self._size()}</p>"
         return title + html_table(["lobe", "label", "area", "rounding", "discretisation"], rows) + more

@@ -135,6 +135,13 @@ TEST_F(Outputs, HaveTheFormatThatIsNamed) {
   EXPECT_EQ(run({"overlay", "a", "b", "--lobes", "l.foo", "--format", "csv"}).status, 0);
   EXPECT_NE(read("l.foo").find("x,y,curve"), std::string::npos);
   EXPECT_EQ(read_curve_file(folder() / "l.foo").zones.size(), 2U);
+  for (const std::vector<std::string>& none : {std::vector<std::string>{"overlay", "a", "b", "--format", "csv"},
+                                               std::vector<std::string>{"tangle", "a", "b", "--format", "csv"},
+                                               std::vector<std::string>{"levels", "capsize", "--format", "csv"}}) {
+    const Outcome unused = run(none);
+    EXPECT_EQ(unused.status, 2);
+    EXPECT_NE(unused.err.find("--format needs "), std::string::npos) << unused.err;
+  }
   const Outcome ending = run({"overlay", "a", "b", "--lobes", "l.foo"});
   EXPECT_EQ(ending.status, 2);
   EXPECT_NE(ending.err.find("or name a format by --format"), std::string::npos) << ending.err;

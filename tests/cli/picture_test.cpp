@@ -396,6 +396,21 @@ TEST_F(BatchPicture, DrawsAResultOverTwoOptionsOrOne) {
   EXPECT_TRUE(has_text(svg, "3 jobs"));
 }
 
+class PictureOfPoints : public ProgramTest {};
+
+// `points` of densify is an option, of passes, and a number of the result.
+TEST_F(PictureOfPoints, ValuesAreColumnsWhereAnOptionHasTheirName) {
+  write("square", "0 0\n2 0\n2 2\n0 2\n");
+  write("job.toml",
+        "operation = \"densify\"\ncurves = \"square\"\npairs = \"single\"\ngrid = { max_length = [0.5, 1] }\n");
+  ASSERT_EQ(run({"batch", "run", "job.toml"}).status, 0);
+  ASSERT_EQ(
+      run({"batch", "picture", "job.results", "--value", "points", "--picture", "p.svg", "--data", "p.csv"}).status, 0);
+  const std::string data = read("p.csv");
+  EXPECT_NE(data.find("0.5,16"), std::string::npos) << data;
+  EXPECT_NE(data.find("1,8"), std::string::npos) << data;
+}
+
 class EscapePicture : public ProgramTest {};
 
 // Fractions are lists whose length depends on the options: each element is a column, and one of them is drawn.

@@ -219,7 +219,11 @@ Operation operation_of(const operations::Operation& entry, const TableJob& job) 
     operation.lists.push_back(name);
   }
   operation.check = [&entry, required, on_system = is_on_system(entry), needs_tangle = job.needs_tangle,
-                     has_output = static_cast<bool>(job.points)](const Options& options) {
+                     has_output = static_cast<bool>(job.points), not_kept = job.not_kept](const Options& options) {
+    for (const std::string& key : not_kept) {
+      if (options.flag(key))
+        throw UsageError(key + ": batches keep no numbers of it; lober " + entry.name + " shows them");
+    }
     for (const OptionSpec& spec : required) {
       if (options.find(spec.key) == nullptr) throw UsageError(spec.key + ": is missing: the " + spec.meaning);
     }

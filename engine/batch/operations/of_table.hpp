@@ -26,6 +26,8 @@ struct TableJob {
   std::size_t memory = 0;  ///< as Operation::memory
   /// An option of jobs alone, a flag: whether to keep the lists.
   std::optional<OptionSpec> lists_if{};
+  /// Flags whose results no column or list has: jobs that set them are refused.
+  std::vector<std::string> not_kept{};
   /// The curve that comes out, for a file that the option "output" of the job names; empty: there are no files.
   std::function<std::span<const Point>(const operations::Outcome&)> points{};
 };

@@ -23,6 +23,7 @@ Operation overlay_operation() {
                         {"orientation2", "orientation2"}});
   job.lists = {{"lobes_c1_minus_c2", "pieces.c1_minus_c2.area"}, {"lobes_c2_minus_c1", "pieces.c2_minus_c1.area"}};
   job.lists_if = OptionSpec{"lobes", false, "whether to list the areas of the pieces of both differences"};
+  job.not_kept = {"smooth"};
   // Measured on circles and wavy curves that cross a few times; tangles cost far more.
   job.microseconds = 5;
   job.microseconds_a_point = 1e-4;

@@ -14,6 +14,7 @@ Operation sweep_operation() {
                 {"lobe_area21_by_action", "rows.lobe_area21_by_action"},
                 {"difference", "rows.difference"},
                 {"zeros", "zeros.value"}}};
+  job.not_kept = {"melnikov"};
   job.microseconds = 2e6;
   job.memory = std::size_t{64} << 20;
   return operation_of(operations::named("sweep"), job);

@@ -26,6 +26,7 @@ Operation transport_operation() {
                 {"points_u", "saddles.unstable.points"},
                 {"points_s", "saddles.stable.points"}},
                lists_of_steps};
+  job.not_kept = {"melnikov", "all_regions"};
   job.microseconds = 2e5;
   job.memory = std::size_t{64} << 20;
   return operation_of(operations::named("transport"), job);

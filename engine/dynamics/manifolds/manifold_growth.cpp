@@ -33,6 +33,22 @@ constexpr std::size_t section_segments = std::size_t{1} << 13;
 // Points that the local manifold gives a piece to begin with.
 constexpr std::size_t fewest_in_piece = 17;
 
+// How much of a segment lies in the box, from 0 to 1: outside of the box segments may be long.
+double part_inside(Point a, Point b, const Box& box) {
+  double from = 0, to = 1;
+  const auto cut = [&](double at, double step, double low, double high) {
+    if (step == 0) {
+      if (at < low || at > high) to = 0;
+      return;
+    }
+    from = std::max(from, std::min((low - at) / step, (high - at) / step));
+    to = std::min(to, std::max((low - at) / step, (high - at) / step));
+  };
+  cut(a.x, b.x - a.x, box.min_x(), box.max_x());
+  cut(a.y, b.y - a.y, box.min_y(), box.max_y());
+  return std::max(to - from, 0.0);
+}
+
 }  // namespace
 
 ManifoldGrowth::ManifoldGrowth(const PlanarMap& map, const LocalManifold& local, Branch branch,
@@ -359,7 +375,9 @@ void ManifoldGrowth::append(const Trace& trace, int generation) {
 void ManifoldGrowth::lengths_behind(std::size_t k, std::size_t count, double* lengths) const {
   if (lengths_in_box(&result_.points[k], count, trace_options_.box, lengths)) return;
   for (std::size_t j = 0; j < count; ++j) {
-    if (!meet(Box::of(result_.points[k + j], result_.points[k + j + 1]), trace_options_.box)) lengths[j] = 0;
+    const Point a = result_.points[k + j], b = result_.points[k + j + 1];
+    const double part = part_inside(a, b, trace_options_.box);
+    if (part < 1) lengths[j] = part > 0 ? std::hypot(part * (b.x - a.x), part * (b.y - a.y)) : 0;
   }
 }
 

@@ -7,7 +7,6 @@
 
 #include "engine/base/text.hpp"
 #include "engine/files/formats/geometry_zones.hpp"
-#include "engine/files/formats/provenance.hpp"
 #include "engine/files/formats/readers.hpp"
 #include "engine/files/number.hpp"
 #include "engine/files/sniff.hpp"
@@ -256,7 +255,7 @@ void append_ring(std::string& text, const Zone& zone, bool closed) {
 }  // namespace
 
 std::string wkt_bytes(std::span<const Zone> zones, const WriteOptions& options) {
-  std::string text = comment_lines(options);
+  std::string text;  // without comments, which the standard does not know
   for (std::size_t k = 0; k < zones.size();) {
     const bool closed = is_closed(zones[k], options), has_brackets = closed && !zones[k].points.empty();
     text += closed ? "POLYGON " : "LINESTRING ";

@@ -62,8 +62,13 @@ Buffer<Kept> all_kept(CurveView curve) {
   const Point origin = points[0];
   const std::uint32_t far = farthest(points, [&](Point p) { return distance(origin, p); });
   const Point direction{points[far].x - origin.x, points[far].y - origin.y};
-  const std::uint32_t side = farthest(
+  std::size_t side = farthest(
       points, [&](Point p) { return std::fabs((p.x - origin.x) * direction.y - (p.y - origin.y) * direction.x); });
+  if (side == 0 || side == far) {  // all on a line
+    const auto third =
+        std::find_if(points.begin(), points.end(), [&](Point p) { return !(p == origin) && !(p == points[far]); });
+    side = third != points.end() ? static_cast<std::size_t>(third - points.begin()) : 0;
+  }
   kept[far].stays = kept[side].stays = true;
   return kept;
 }

@@ -195,6 +195,13 @@ TEST_F(ManifestTest, RefusalsNameLineAndKey) {
   EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.*\"\noptions.smoth = true"),
             "job.toml:3: options.smoth: there is no such option; there are areas_only, discretisation, index, "
             "check_simple, verify, smooth, classes, lobes; did you mean smooth?");
+  // Jobs do not compute what no column keeps.
+  EXPECT_NE(refusal("operation = \"overlay\"\ncurves = \"separ.*\"\noptions.smooth = true")
+                .find("smooth: batches keep no numbers of it; lober overlay shows them"),
+            std::string::npos);
+  EXPECT_NE(refusal("operation = \"transport\"\noptions = { system = \"ovp\", all_regions = true }")
+                .find("all_regions: batches keep no numbers of it"),
+            std::string::npos);
   EXPECT_EQ(refusal("operation = \"interior\"\ncurves = \"separ.*\"\n[grid]\npasses = [1,\n  -1]"),
             "job.toml:5: options.passes: has to be at least 0");
   EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.0\""),

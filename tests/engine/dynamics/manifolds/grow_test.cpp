@@ -137,6 +137,29 @@ TEST(Grow, SameBitsForAnyNumberOfThreads) {
   }
 }
 
+// Outside of the box segments are long: of those that cross its edge only what lies inside counts.
+TEST(Grow, LengthEndsAtTheEdgesOfTheBox) {
+  const HenonMap map(0.5);
+  const LocalManifold local = local_manifold(map, {2.2, 2.2}, ManifoldSide::stable);
+  const Box box = Box::of({-1, -1}, {1, 1});
+  const GrownManifold grown = grow(map, local, Branch::minus, {.tolerance = 1e-4, .iterates = 7, .box = box});
+  double inside = 0, whole = 0;
+  constexpr int parts = 2000;
+  for (std::size_t k = 0; k + 1 < grown.points.size(); ++k) {
+    const Point a = grown.points[k], b = grown.points[k + 1];
+    int met = 0;
+    for (int part = 0; part < parts; ++part) {
+      const double t = (part + 0.5) / parts;
+      const Point p{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+      met += meet(Box::of(p, p), box) ? 1 : 0;
+    }
+    whole += distance(a, b);
+    inside += distance(a, b) * met / parts;
+  }
+  EXPECT_GT(whole, 4 * inside);
+  EXPECT_NEAR(grown.length, inside, 1e-3 * whole);
+}
+
 TEST(Grow, ReportsWhatEscapes) {
   const HenonMap map(0.5);
   const LocalManifold local = local_manifold(map, {2.2, 2.2}, ManifoldSide::unstable);

@@ -4,6 +4,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "kernels/box.hpp"
+#include "lober/curve/curve.hpp"
 #include "lober/curve/densify.hpp"
 #include "tests/distance.hpp"
 #include "tests/engine/geometry/densify/shapes.hpp"
@@ -65,6 +66,16 @@ TEST(Thin, ZeroToleranceRemovesWhatIsOnTheLine) {
   const DensifiedCurve simplified = simplify({given, true}, {});
   const std::vector<Point> expected{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   EXPECT_TRUE(std::ranges::equal(simplified.points, expected));
+}
+
+// A closed curve keeps three vertices that another command reads.
+TEST(Thin, ClosedCurvesOnALineKeepThreeVertices) {
+  for (const std::vector<Point>& line :
+       {std::vector<Point>{{0, 0}, {1, 1}, {2, 2}}, std::vector<Point>{{0, 0}, {1, 1}, {3, 3}, {2, 2}}}) {
+    const DensifiedCurve found = simplify(CurveView{line}, {.tolerance = 0});
+    EXPECT_EQ(found.points.size(), 3U);
+    EXPECT_NO_THROW(validate(CurveView{found.points}, "simplified"));
+  }
 }
 
 TEST(Thin, SpikesStay) {
