@@ -45,6 +45,7 @@ struct Layer {
   std::vector<Point> points{};     ///< the dots
   std::vector<double> errors{};    ///< half the length of a bar of a dot along y; none, or one for each
   std::vector<Rectangle> boxes{};  ///< the boxes, opaque
+  std::vector<double> values{};    ///< numbers that boxes stand for, in the data; none, or one for each
 };
 
 [[nodiscard]] inline Layer line_layer(std::string name, std::string legend, std::string colour, double width = 0.6) {

@@ -53,6 +53,7 @@ Json layer_json(const Layer& layer) {
     Json boxes = Json::array();
     for (const Rectangle& box : layer.boxes) boxes.push_back(box_json(box));
     json["boxes"] = std::move(boxes);
+    if (!layer.values.empty()) json["values"] = layer.values;
   }
   return json;
 }
@@ -76,10 +77,12 @@ std::string figure_csv(const Figure& figure) {
       if (k < layer.errors.size()) append(text, layer.errors[k]);
       text += "\n";
     }
-    for (const Rectangle& box : layer.boxes) {
-      append_all(text, name, ",", item, ",,", box.min_x, ",", box.min_y, ",\n", name, ",", item, ",,", box.max_x, ",",
-                 box.max_y, ",\n");
-      ++item;
+    for (std::size_t k = 0; k < layer.boxes.size(); ++k) {
+      const Rectangle& box = layer.boxes[k];
+      std::string value;
+      if (k < layer.values.size()) append(value, layer.values[k]);
+      append_all(text, name, ",", item + k, ",", value, ",", box.min_x, ",", box.min_y, ",\n", name, ",", item + k, ",",
+                 value, ",", box.max_x, ",", box.max_y, ",\n");
     }
   }
   return text;

@@ -110,6 +110,7 @@ void add_heat_map(Figure& figure, const HeatAxis& x, const HeatAxis& y, const st
     Layer layer = box_layer(text, text, heat_colour(part));
     for (const HeatCell& cell : cells) {
       if (!(cell.value >= limits[k] && (is_last ? cell.value <= high : cell.value < limits[k + 1]))) continue;
+      layer.values.push_back(cell.value);
       layer.boxes.push_back({x.edges[cell.column], y.edges[cell.row], x.edges[cell.column + 1], y.edges[cell.row + 1]});
     }
     figure.layers.push_back(std::move(layer));

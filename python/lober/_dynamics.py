@@ -164,7 +164,7 @@ class Manifold(Result):
         return f"<Manifold: from {self.saddle}, {size}, ended by {self.stop}, {len(self.diagnostics)} diagnostics>"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Image:
     """The image of a curve under `iterate` steps.
 
@@ -182,6 +182,11 @@ class Image:
     stop: str
     images: int
     parts: list[tuple[Points, bool]]
+
+    def __repr__(self) -> str:
+        kind = "closed" if self.closed else "open"
+        parts = f" in {len(self.parts)} parts" if len(self.parts) > 1 else ""
+        return f"<Image: iterate {self.iterate}, {len(self.points)} points{parts}, {kind}, {len(self.diagnostics)} diagnostics>"
 
 
 def images_of(run: Run) -> list[Image]:

@@ -28,7 +28,7 @@ TEST_F(LevelsProgram, DrawsTheSeparatrix) {
 // Closed curves are polygons beside open ones.
 TEST_F(LevelsProgram, WritesPolygonsAndLines) {
   const auto count = [&](const std::string& file, const std::string& word) {
-    const std::string text = read(file);
+    const std::string text = "\n" + read(file);  // words at the beginning of a line
     std::size_t found = 0;
     for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++found;
     return found;

@@ -390,6 +390,7 @@ TEST_F(BatchPicture, DrawsAResultOverTwoOptionsOrOne) {
   // Each job is a box, two corners.
   const std::string data = read("p.csv");
   EXPECT_EQ(std::count(data.begin(), data.end(), '\n'), 1 + 2 * 6);
+  EXPECT_EQ(data.find(",,"), std::string::npos) << "a box without the number that it stands for: " << data;
   ASSERT_EQ(picture({"--where", "tolerance=0.001", "--value", "points_u"}).status, 0);
   svg = read("p.svg");
   EXPECT_TRUE(has_text(svg, "points_u"));
