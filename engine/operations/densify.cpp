@@ -223,11 +223,6 @@ void check(const DensifyHow& how, bool has_other) {
   if (how.min_length && !how.has_angles() && !how.max_length) {
     throw UsageError("option \"min_length\" needs option \"max_length\", \"hobson\", \"angle\" or \"distance_angle\"");
   }
-  if (!has_other && !how.simplify && !how.max_length && !how.has_angles()) {
-    throw UsageError(
-        "no step is asked for; give option \"simplify\", \"max_length\", \"hobson\", \"angle\" or "
-        "\"distance_angle\"");
-  }
 }
 
 // Why criteria are not met that a limit could have left unmet; those of the shortest length and of corners are what the
