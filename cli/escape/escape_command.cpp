@@ -59,8 +59,8 @@ std::optional<EscapeRequest> parse_escape(const std::vector<std::string>& argume
   const Option curves = parser
                             .add("--curves", request.curves,
                                  "Write the periodic orbits, as points of position, and the curves of all tubes on the "
-                                 "section, their images "
-                                 "and pre-images to FILE, in the format of its ending (default: no file).")
+                                 "section, their images and pre-images to FILE, in the format of its ending (default: "
+                                 "no file).")
                             .value("FILE");
   add_format_option(parser, request.format).needs(curves);
   const Option tubes =

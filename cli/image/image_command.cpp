@@ -88,11 +88,8 @@ std::optional<ImageRequest> parse_image(const std::vector<std::string>& argument
                             .add("-o,--output", request.output,
                                  ("Write the images to FILE, whose ending is its format: " + written_endings() +
                                   ". Several go into one file, if its format holds several curves, or, with {n} in the "
-                                  "name, which becomes "
-                                  "the "
-                                  "number of the iterate, into a file for each. An image with gaps is written in "
-                                  "parts, each an open curve "
-                                  "(default: no file).")
+                                  "name, which becomes the number of the iterate, into a file for each. An image with "
+                                  "gaps is written in parts, each an open curve (default: no file).")
                                      .c_str())
                             .value("FILE");
   add_format_option(parser, request.format).needs(output);

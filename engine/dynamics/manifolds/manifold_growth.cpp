@@ -377,7 +377,7 @@ void ManifoldGrowth::lengths_behind(std::size_t k, std::size_t count, double* le
   for (std::size_t j = 0; j < count; ++j) {
     const Point a = result_.points[k + j], b = result_.points[k + j + 1];
     const double part = part_inside(a, b, trace_options_.box);
-    if (part < 1) lengths[j] = part > 0 ? std::hypot(part * (b.x - a.x), part * (b.y - a.y)) : 0;
+    if (part < 1) lengths[j] = part > 0 ? length({part * (b.x - a.x), part * (b.y - a.y)}) : 0;
   }
 }
 
