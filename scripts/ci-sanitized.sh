@@ -16,7 +16,7 @@ else
   long+=':*Discretisation*:*Grow*:*TangleOfMap*:*BulkMemory*:*SaddleGuesses*:Sweep.*:Melnikov.*'
   long+=':CInterface.IteratesInPieces*:ErrorBars.*:Windows.AreUsedBySearches:RequireSimple.EndsSoon*:CrossSign.*'
   long+=':Number.AgreesWithStrtod*:DoubleDouble.*:Generated.ImagesThatExplode*:OverlapsWithCopy.*'
-  long+=':Callbacks.WhatOneThrows*:Callbacks.FractionsAscend*:Callbacks.AskingToStop*:VertexWindings.*:Pilots.*'
+  long+=':Callbacks.WhatOneThrows*:Callbacks.FractionsAscend*:Callbacks.AskingToStop*'
 fi
 export LOBER_KILLS=2 LOBER_SCENE_POINTS=20000
 export ASAN_OPTIONS=strict_string_checks=1:detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1

@@ -15,8 +15,8 @@ record=.ci/passed
 watching_minutes=7  # of all steps that watch something together
 passed=0 failed=0 skipped=0 summary=() left_out=() limits_only=
 [ "${1:-}" = --limits ] && limits_only=1
-log=$(mktemp) output=$(mktemp)
-trap 'rm -f "$log" "$output"' EXIT
+output=$(mktemp)  # of the step that ran last
+trap 'rm -f "$output"' EXIT
 
 took() { echo "$((($SECONDS - $1) / 60)) min $((($SECONDS - $1) % 60)) s"; }
 
@@ -27,7 +27,6 @@ leave_out() {
 
 # What failed in the step that ran last, for the summary: who reads a log from its end sees it.
 name_failures() {
-  sleep 1  # until tee has written all
   while read -r line; do summary+=("            ${line:0:200}"); done < <(
     grep -aE '^\[  FAILED  \] .*\(|^FAILED |^ERROR test|^SUMMARY: |runtime error: |\*\*\*(Failed|Timeout|Exception)|^FAILED:' "$output" | sort -u | head -n 12)
 }
@@ -43,6 +42,7 @@ step() {
   echo "== $name"
   timeout --kill-after=30 "${limit}m" "$@" > >(tee "$output") 2>&1
   status=$?
+  sleep 1  # until tee has written all; to wait for it would be to wait for whatever a step has left behind
   case $status in
     0) summary+=("passed    $name, $(took "$begin")") passed=$((passed + 1)) ;;
     77) summary+=("skipped   $name, see above") skipped=$((skipped + 1)) ;;
@@ -92,17 +92,10 @@ watching() {
   mv "$record.new" "$record"
 }
 
-make_test() {
-  make test 2>&1 | tee "$log"
-  return "${PIPESTATUS[0]}"
-}
-export -f make_test
-export log
-
-step "make test" 21 bash -c make_test
+step "make test" 21 make test
 if [ -z "$limits_only" ]; then
   # The tests count one by one.
-  counts=$(grep -E '^[0-9]+ passed, [0-9]+ failed, [0-9]+ skipped$' "$log" | tail -n 1)
+  counts=$(grep -E '^[0-9]+ passed, [0-9]+ failed, [0-9]+ skipped$' "$output" | tail -n 1)
   if [ -n "$counts" ]; then
     before=$failed
     read -r passed failed skipped < <(echo "$counts" | sed 's/[^0-9]\+/ /g')

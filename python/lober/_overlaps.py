@@ -45,8 +45,7 @@ def overlap_matrix(
     a column for each of `curves_b`; without `curves_b`, of the curves of one set with each other.
 
     The numbers are those of `overlay`, bit for bit (but sums of two areas, for curves whose boxes are apart, are rounded
-    twice). Each curve is indexed and checked once, and only pairs whose boxes
-    meet are overlaid. A set is a list of curves, a GeoSeries, an array of curves x points x 2 numbers, a matrix of
+    twice). Each curve is indexed and checked once, and only pairs whose boxes meet are overlaid. A set is a list of curves, a GeoSeries, an array of curves x points x 2 numbers, a matrix of
     complex numbers with a curve a row, or (points, offsets) where curve k are the points offsets[k]:offsets[k + 1]; the
     last is not copied and must not change during the call. Files, a store that outlives the call, and all other
     operations: `lober.batch`. Raises UsageError, DataError, which names the curve, Cancelled.

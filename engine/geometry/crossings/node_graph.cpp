@@ -10,8 +10,6 @@
 namespace lober::detail {
 namespace {
 
-constexpr std::size_t nodes_a_task = std::size_t{1} << 14;
-
 // Whether `to` follows `from` along a curve in the given direction with no vertex strictly between, both given as
 // (segment, at its first vertex).
 struct Spot {
@@ -37,10 +35,10 @@ class Joiner {
   Joiner(const CurveView& c1, const CurveView& c2, const ContactList& contacts, const Buffer<std::uint32_t>& order2)
       : c1_(c1), c2_(c2), contacts_(contacts), rank2_(contacts.size()), joined_(contacts.size()) {
     const auto count = static_cast<std::uint32_t>(contacts.size());
-    for_each_block(count, nodes_a_task, [&](std::size_t begin, std::size_t end) {
+    for_each_block(count, pass_grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) rank2_[order2[k]] = static_cast<std::uint32_t>(k);
     });
-    for_each_block(count, nodes_a_task, [&](std::size_t begin, std::size_t end) {
+    for_each_block(count, pass_grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) joined_[k] = direction_to_next(static_cast<std::uint32_t>(k));
     });
   }
@@ -103,8 +101,8 @@ void find_spans(const Joiner& joiner, NodeGraph& graph) {
 void find_rotations(const CurveView& c1, const CurveView& c2, NodeGraph& graph) {
   const std::size_t nodes = graph.spans.size();
   graph.order.resize(nodes);
-  std::vector<PredicateCounts> counts((nodes + nodes_a_task - 1) / nodes_a_task);
-  for_each_block(nodes, nodes_a_task, [&](std::size_t begin, std::size_t end) {
+  std::vector<PredicateCounts> counts((nodes + pass_grain - 1) / pass_grain);
+  for_each_block(nodes, pass_grain, [&](std::size_t begin, std::size_t end) {
     PredicateCounts here;
     for (std::size_t k = begin; k < end; ++k) {
       const NodeSpan& span = graph.spans[k];
@@ -112,7 +110,7 @@ void find_rotations(const CurveView& c1, const CurveView& c2, NodeGraph& graph) 
       graph.order[k] = span.direction == 0 ? rotation_at_point(first, c1, c2, here)
                                            : rotation_at_arc(first, last, span.direction, c1, c2, here);
     }
-    counts[begin / nodes_a_task] = here;
+    counts[begin / pass_grain] = here;
   });
   for (const PredicateCounts& here : counts) graph.counts.predicates += here;
 }
@@ -121,10 +119,10 @@ void find_rotations(const CurveView& c1, const CurveView& c2, NodeGraph& graph) 
 void order_nodes_along_second(NodeGraph& graph) {
   constexpr std::uint32_t none = 0xffffffff;
   Buffer<std::uint32_t> node_of(graph.contacts.size());
-  for_each_block(node_of.size(), nodes_a_task, [&](std::size_t begin, std::size_t end) {
+  for_each_block(node_of.size(), pass_grain, [&](std::size_t begin, std::size_t end) {
     std::fill(node_of.begin() + begin, node_of.begin() + end, none);
   });
-  for_each_block(graph.spans.size(), nodes_a_task, [&](std::size_t begin, std::size_t end) {
+  for_each_block(graph.spans.size(), pass_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) node_of[graph.spans[k].first] = static_cast<std::uint32_t>(k);
   });
   graph.nodes2 = gathered<std::uint32_t>(
@@ -145,7 +143,7 @@ NodeGraph build_node_graph(const IndexedCurve& c1, const IndexedCurve& c2, Index
   const std::size_t contact_count = graph.contacts.size();
   if (contacts.all_proper) {
     graph.order.resize(contact_count);
-    for_each_block(contact_count, nodes_a_task, [&](std::size_t begin, std::size_t end) {
+    for_each_block(contact_count, pass_grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         graph.order[k] = graph.contacts[k].rho > 0 ? rightward_to_left : leftward_to_right;
       }
@@ -161,7 +159,7 @@ NodeGraph build_node_graph(const IndexedCurve& c1, const IndexedCurve& c2, Index
   }
   const Buffer<std::uint32_t>& along2 = graph.along2();
   graph.rank2.resize(along2.size());
-  for_each_block(along2.size(), nodes_a_task, [&](std::size_t begin, std::size_t end) {
+  for_each_block(along2.size(), pass_grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) graph.rank2[along2[k]] = static_cast<std::uint32_t>(k);
   });
   graph.order_seconds = contacts.order_seconds + watch.seconds();

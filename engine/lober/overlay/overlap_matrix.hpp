@@ -94,11 +94,11 @@ struct OverlapMatrix {
   [[nodiscard]] LOBER_API std::vector<double> dense_bounds(std::size_t measure) const;
 };
 
-/// Each curve of one set with each of the other: the numbers are those of overlay, bit for bit (but sums of two
-/// areas, for curves whose boxes are apart, are rounded twice). Curves stay the
-/// caller's. Each is indexed and checked once, about 3 bytes a point; only pairs whose boxes meet are overlaid, small
-/// ones side by side, huge ones inside themselves. The same bits for any number of threads. Throws UsageError for an
-/// open curve, DataError for one that cannot be used, which names it, Cancelled.
+/// Each curve of one set with each of the other: the numbers are those of overlay, bit for bit (but sums of two areas,
+/// for curves whose boxes are apart, are rounded twice). Curves stay the caller's. Each is indexed and checked once,
+/// about 3 bytes a point; only pairs whose boxes meet are overlaid, small ones side by side, huge ones inside
+/// themselves. The same bits for any number of threads. Throws UsageError for an open curve, DataError for one that
+/// cannot be used, which names it, Cancelled.
 [[nodiscard]] LOBER_API OverlapMatrix overlap_matrix(std::span<const CurveView> first,
                                                      std::span<const CurveView> second,
                                                      const OverlapOptions& options = {});

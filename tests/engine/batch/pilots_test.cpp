@@ -67,6 +67,10 @@ TEST_F(Pilots, TheyAreSpreadOverAGrid) {
   for (const double seconds : found.seconds) EXPECT_GT(seconds, 0);
   // One at least, however short the time.
   EXPECT_EQ(run_pilots(grid, {0, unlimited.clock}).run, 1U);
+  const Estimate with_pilots = estimate(grid, path("job.toml"));
+  EXPECT_GE(with_pilots.pilots, 1U);
+  EXPECT_LE(with_pilots.pilots, 9U);
+  EXPECT_GT(with_pilots.core_seconds, 0);
   write("curve", "0 0\n1 0\n0 1\n");
   EXPECT_EQ(estimate(plan_of("operation = \"regions\"\ncurves = \"curve\"\n"), path("job.toml")).pilots, 0U);
 }
