@@ -154,8 +154,8 @@ bool lengths_in_box(const Point* points, std::size_t count, const Box& box, doub
   return kernels().lengths_in_box(points, count, box, lengths);
 }
 
-void place_graded(const GradedRow& row, double* parameters, std::size_t end) {
-  kernels().place_graded(row, parameters, end);
+void place_graded(const GradedRow& row, double* places) {
+  kernels().place_graded(row, places);
 }
 
 }  // namespace lober::detail

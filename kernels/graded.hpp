@@ -20,8 +20,7 @@ struct GradedRow {
 
 /// Sets places[n], the parameter of new point n, for each n whose index lies in the row: from that of the first point
 /// on, and before that of the last one. The density goes from `around` at one end of a segment to that at the other,
-/// each within a factor of 4 of the segment's own, which it is at corners. May write to places[0] ... places[end - 1]
-/// behind these.
-void place_graded(const GradedRow& row, double* places, std::size_t end);
+/// each within a factor of 4 of the segment's own, which it is at corners.
+void place_graded(const GradedRow& row, double* places);
 
 }  // namespace lober::detail

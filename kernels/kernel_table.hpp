@@ -77,7 +77,7 @@ struct KernelTable {
                                          std::uint8_t* smooth);
   std::int64_t (*flag_segments)(const SegmentRow& row, const SegmentBounds& bounds, std::int64_t* flags);
   bool (*lengths_in_box)(const Point* points, std::size_t count, const Box& box, double* lengths);
-  void (*place_graded)(const GradedRow& row, double* places, std::size_t end);
+  void (*place_graded)(const GradedRow& row, double* places);
 };
 
 extern const KernelTable baseline_kernels, avx2_kernels, avx512_kernels;

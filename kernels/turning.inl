@@ -19,10 +19,11 @@ inline void turns_of_few(const Point* points, std::size_t segments, double* leng
   for (std::size_t k = 0; k + 1 < segments; ++k) {
     const double sine = std::fabs(x[k] * y[k + 1] - y[k] * x[k + 1]), both = lengths[k] * lengths[k + 1];
     const double below = both + (x[k] * x[k + 1] + y[k] * y[k + 1]);
-    const double soft = 2 * sine / below, sharp = both > 0 ? 4.0 : 0.0;
-    const double angle = 2 * sine < 4 * below ? soft : sharp;
-    const double curvature = 2 * angle / (lengths[k] + lengths[k + 1]);
-    curvatures[k] = angle > 0 ? curvature : 0.0;
+    // The turning is 2 sine / below, cut off; one division for it and the mean length.
+    const bool is_cut_off = !(2 * sine < 4 * below);
+    const double most = both > 0 ? 8.0 : 0.0, turning = is_cut_off ? most : 4 * sine;
+    const double curvature = turning / ((is_cut_off ? 1.0 : below) * (lengths[k] + lengths[k + 1]));
+    curvatures[k] = turning > 0 ? curvature : 0.0;
   }
 }
 

@@ -99,14 +99,19 @@ TEST(SegmentFlags, LengthsInABox) {
   limit_instruction_set(InstructionSet::avx512);
 }
 
-// One point at a time, from the integral of a density that varies linearly.
-double graded_point(const GradedRow& row, std::size_t k, double number) {
+// One point at a time, from the integral of a density that varies linearly, and with the operations of the kernel.
+struct GradedPoint {
+  double exact, place;
+};
+GradedPoint graded_point(const GradedRow& row, std::size_t k, double number) {
   const double gap = row.parameters[k + 1] - row.parameters[k], own = 2 * row.required[k] / (2 * gap);
   const auto at_end = [&](double around) { return around < 0 ? own : std::clamp(around, own / 4, own * 4); };
   const double a = at_end(row.around[k]), b = at_end(row.around[k + 1]);
-  const double part = (number - row.index[k]) / (row.index[k + 1] - row.index[k]);
+  const double m = number - row.index[k], width = row.index[k + 1] - row.index[k], part = m / width;
   const double t = own > 0 ? part * (a + b) / (a + std::sqrt(a * a + (b - a) * (b + a) * part)) : part;
-  return row.parameters[k] + gap * t;
+  const double begin = own > 0 ? a : 1, end = own > 0 ? b : 1, per_width = 1 / width;
+  const double root = std::sqrt(begin * begin + (end - begin) * (end + begin) * per_width * m);
+  return {row.parameters[k] + gap * t, row.parameters[k] + gap * (begin + end) * per_width * m / (begin + root)};
 }
 
 TEST(Graded, PointsHaveTheBitsOfOneByOne) {
@@ -125,11 +130,13 @@ TEST(Graded, PointsHaveTheBitsOfOneByOne) {
       const GradedRow row{parameters.data(), index.data(), required.data(), around.data(), count};
       const auto end = static_cast<std::size_t>(std::ceil(index.back()));
       std::vector<double> places(end + 8, -7);
-      place_graded(row, places.data(), end);
+      place_graded(row, places.data());
       std::size_t k = 0;
       for (std::size_t n = 3; n < end; ++n) {
         while (!(static_cast<double>(n) < index[k + 1])) ++k;
-        ASSERT_EQ(places[n], graded_point(row, k, static_cast<double>(n))) << count << ' ' << n;
+        const GradedPoint point = graded_point(row, k, static_cast<double>(n));
+        ASSERT_EQ(places[n], point.place) << count << ' ' << n;
+        ASSERT_NEAR(places[n], point.exact, 4e-16 * point.exact) << count << ' ' << n;
         ASSERT_GE(places[n], places[n - (n > 3 ? 1 : 0)]);
       }
       for (std::size_t n = 0; n < places.size(); ++n) {

@@ -27,12 +27,6 @@ constexpr double ulps_apart = 64;
 // A piece is stretched by no more than this in one image, but for a little.
 constexpr double stretching = 40;
 
-// A guide is not longer than this: the points that it is traced with are some times as many.
-constexpr std::size_t section_segments = std::size_t{1} << 13;
-
-// Points that the local manifold gives a piece to begin with.
-constexpr std::size_t fewest_in_piece = 17;
-
 // How much of a segment lies in the box, from 0 to 1: outside of the box segments may be long.
 double part_inside(Point a, Point b, const Box& box) {
   double from = 0, to = 1;
@@ -120,26 +114,32 @@ void ManifoldGrowth::grow_piece() {
   const double end = !local && (part + 1.0) / pieces_ > fraction
                          ? local_.reach * elementary::power(ratio_, fraction - 1)
                          : part_begin(local ? pieces_ : part + 1);
-  std::vector<Samples> guides;
+  std::vector<Samples> own;  // what the guides are parts of
   if (local) {
-    guides.push_back(first_guide(end));
+    own.push_back(first_guide(end));
   } else if (generation == 1) {
-    guides.push_back(part_of_local(previous_[0][0], part));
+    own.push_back(part_of_local(previous_[0][0], part));
   } else {
-    for (Samples& samples : previous_[static_cast<std::size_t>(part)]) split(std::move(samples), guides);
+    own = std::move(previous_[static_cast<std::size_t>(part)]);
   }
-  std::erase_if(guides, [&](const Samples& guide) { return guide.parameters.front() >= end; });
+  std::vector<Guide> guides;
+  for (const Samples& samples : own) split(samples, guides);
+  std::erase_if(guides, [&](const Guide& guide) { return guide.parameters.front() >= end; });
   const Size before = size();
   if (part == 0) {
     result_.generation_begin.resize(generations_);
     result_.generation_begin.push_back(result_.points.size());
   }
+  std::size_t known = 0;
+  for (const Guide& guide : guides) known += guide.points.size();
+  make_room_for(static_cast<std::size_t>(stretched_ * static_cast<double>(known)));
   std::vector<Samples> sections;
+  // Flows keep every thread busy within a section, and would lose more by what is traced beyond a limit.
+  if (guides.size() > 1 && map_.work() == 0) sections = appended_together(guides, generation, end);
   bool out_of_points = false;
-  for (Samples& samples : guides) {
-    if (out_of_points || result_.length >= options_.length) break;
-    Samples guide = local ? std::move(samples) : carried(std::move(samples), generation, end);
-    std::optional<Trace> trace = traced_piece(std::move(guide), generation);
+  for (std::size_t k = sections.size(); k < guides.size() && !out_of_points; ++k) {
+    if (result_.length >= options_.length) break;
+    std::optional<Trace> trace = traced_within_limits(guides[k], generation, end);
     if (!trace) {
       // As many for each guide that is left as for those so far.
       points_needed_ += static_cast<double>(result_.points.size() - before.points);
@@ -152,6 +152,7 @@ void ManifoldGrowth::grow_piece() {
     out_of_points = trace->out_of_points;
     sections.push_back(std::move(trace->samples));
   }
+  if (known > 0) stretched_ = static_cast<double>(result_.points.size() - before.points) / static_cast<double>(known);
   if (part == 0) ++generations_;
   current_.push_back(std::move(sections));
   ++pieces_done_;
@@ -164,23 +165,16 @@ void ManifoldGrowth::grow_piece() {
   }
 }
 
-// Long guides are traced section by section, so that what that takes stays in the caches.
-void ManifoldGrowth::split(Samples samples, std::vector<Samples>& guides) {
-  const std::size_t segments = samples.points.size() - 1, parts = (segments + section_segments - 1) / section_segments;
-  if (parts <= 1) {
-    guides.push_back(std::move(samples));
-    return;
-  }
-  for (std::size_t k = 0; k < parts; ++k) {
-    const auto begin = static_cast<std::ptrdiff_t>(segments * k / parts);
-    const auto end = static_cast<std::ptrdiff_t>(segments * (k + 1) / parts) + 1;
-    guides.push_back({{samples.parameters.begin() + begin, samples.parameters.begin() + end},
-                      {samples.points.begin() + begin, samples.points.begin() + end}});
-  }
-}
-
 ManifoldGrowth::Size ManifoldGrowth::size() const {
   return {result_.points.size(), result_.diagnostics.size(), result_.generation_begin.size(), result_.length};
+}
+
+// Before points are appended one section after the other: arrays that double as they fill up are written twice.
+void ManifoldGrowth::make_room_for(std::size_t points) {
+  const std::size_t size = std::min(result_.points.size() + points + points / 8, max_points_);
+  if (size <= result_.points.capacity()) return;
+  result_.points.reserve(size);
+  result_.parameters.reserve(size);
 }
 
 void ManifoldGrowth::cut_back_to(const Size& before) {
@@ -189,6 +183,7 @@ void ManifoldGrowth::cut_back_to(const Size& before) {
   result_.diagnostics.resize(before.diagnostics);
   result_.generation_begin.resize(before.generations);
   result_.length = before.length;
+  cut_diagnostics(result_.diagnostics, before.points > 0 ? before.points - 1 : 0);
 }
 
 void ManifoldGrowth::end_generation() {
@@ -271,92 +266,12 @@ CurveFunction ManifoldGrowth::image(int generation) const {
   };
 }
 
-// The number of evaluations, and of images in each.
-void ManifoldGrowth::count(std::size_t evaluations, int images) {
-  result_.images += static_cast<std::uint64_t>(evaluations) * static_cast<std::uint64_t>(images) *
-                    static_cast<std::uint64_t>(std::abs(steps_));
-  if (out_of_work()) throw Cancelled();
-  if (!options_.progress) return;
-  const auto iterates = static_cast<int>(std::max(time(), 0.0) * std::abs(steps_ / local_.steps));
-  if (!options_.progress({iterates, result_.points.size(), result_.length, result_.images})) throw Cancelled();
+double ManifoldGrowth::map_work() const {
+  return static_cast<double>(map_.work() - work_before_);
 }
 
 bool ManifoldGrowth::out_of_work() const {
-  return static_cast<double>(std::max(map_.work() - work_before_, result_.images)) > options_.max_work;
-}
-
-Samples ManifoldGrowth::first_guide(double end) const {
-  constexpr std::size_t size = 65;
-  Samples guide{Buffer<double>(size), Buffer<Point>(size)};
-  for (std::size_t k = 0; k < size; ++k) {
-    guide.parameters[k] = end * static_cast<double>(k) / static_cast<double>(size - 1);
-  }
-  image(0)(guide.parameters, guide.points);
-  // P(0) but for rounding; the other manifold of a homoclinic tangle begins there too.
-  guide.points[0] = local_.saddle;
-  return guide;
-}
-
-// Nothing where the piece does not fit into the points and images of the map that are left.
-std::optional<Trace> ManifoldGrowth::traced_piece(Samples guide, int generation) {
-  TraceOptions options = trace_options_;
-  const auto steps = static_cast<std::uint64_t>(std::max(1, generation * std::abs(steps_)));
-  const std::uint64_t images_left = options_.max_images - std::min(options_.max_images, result_.images);
-  const std::size_t points_left = max_points_ - std::min(max_points_, result_.points.size());
-  options.max_points = static_cast<std::size_t>(std::min<std::uint64_t>(points_left, images_left / steps));
-  if (options.max_points < 2) {
-    points_needed_ = static_cast<double>(guide.points.size());
-    return std::nullopt;
-  }
-  options.max_total_length = options_.length - result_.length;
-  options.spent = [&] { return out_of_work(); };
-  options.evaluated = [&](std::size_t evaluations) { count(evaluations, generation); };
-  const auto last = static_cast<std::uint32_t>(guide.points.size() - 1);
-  Trace trace = traced(std::move(guide), {0, last}, image(generation), options);
-  if (trace.out_of_points && !options.cut) {
-    points_needed_ = trace.points_needed;
-    return std::nullopt;
-  }
-  return trace;
-}
-
-// The points of the local manifold in one part of its outermost fundamental segment.
-Samples ManifoldGrowth::part_of_local(const Samples& samples, int part) const {
-  const double begin = part_begin(part), end = part_begin(part + 1);
-  const auto& given = samples.parameters;
-  const auto first = std::upper_bound(given.begin(), given.end(), begin);
-  const auto last = std::lower_bound(first, given.end(), end);
-  std::vector<double> parameters{begin};
-  parameters.insert(parameters.end(), first, last);
-  parameters.push_back(end);
-  if (pieces_ > 1 && parameters.size() < fewest_in_piece) {
-    parameters.resize(fewest_in_piece);
-    for (std::size_t k = 0; k < fewest_in_piece; ++k) {
-      const double share = static_cast<double>(k) / static_cast<double>(fewest_in_piece - 1);
-      parameters[k] = k + 1 == fewest_in_piece ? end : begin + (end - begin) * share;
-    }
-  }
-  Samples result{Buffer<double>(parameters.size()), Buffer<Point>(parameters.size())};
-  std::copy(parameters.begin(), parameters.end(), result.parameters.begin());
-  image(0)(result.parameters, result.points);
-  return result;
-}
-
-// The next guide: what the points of a piece of the generation before become in one more image.
-Samples ManifoldGrowth::carried(Samples guide, int generation, double end) {
-  if (end < guide.parameters.back()) {
-    const auto size = static_cast<std::size_t>(std::lower_bound(guide.parameters.begin(), guide.parameters.end(), end) -
-                                               guide.parameters.begin());
-    guide.parameters.resize(size + 1);
-    guide.points.resize(size + 1);
-    guide.parameters.back() = end;
-    image(generation - 1)({&end, 1}, {&guide.points.back(), 1});
-  }
-  for_each_block(guide.points.size(), trace_options_.batch, [&](std::size_t first, std::size_t last) {
-    map_.iterate(std::span(guide.points).subspan(first, last - first), steps_);
-  });
-  count(guide.points.size(), 1);
-  return guide;
+  return std::max(map_work(), static_cast<double>(result_.images)) > options_.max_work;
 }
 
 void ManifoldGrowth::append(const Trace& trace, int generation) {

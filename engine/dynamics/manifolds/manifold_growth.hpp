@@ -7,6 +7,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -50,22 +51,43 @@ class ManifoldGrowth {
   [[nodiscard]] double time_at(int pieces) const { return static_cast<double>(pieces - 1) / pieces_; }
   [[nodiscard]] double part_begin(int part) const;
   void grow_piece();
-  static void split(Samples samples, std::vector<Samples>& guides);
+  // Points of the generation before, which show how a section of this one bends.
+  struct Guide {
+    std::span<const double> parameters;
+    std::span<const Point> points;
+  };
+  static void split(const Samples& samples, std::vector<Guide>& guides);
   /// The size of the result.
   struct Size {
     std::size_t points, diagnostics, generations;
     double length;
   };
   [[nodiscard]] Size size() const;
+  void make_room_for(std::size_t points);
   void cut_back_to(const Size& before);
   void end_generation();
   [[nodiscard]] CurveFunction image(int generation) const;
-  void count(std::size_t evaluations, int images);
+  // Told of steps of the map; may throw to cancel.
+  using Counted = std::function<void(std::uint64_t steps)>;
+  void count(std::uint64_t steps);
+  [[nodiscard]] GrowthProgress so_far() const;
+  void report(const GrowthProgress& progress) const;
+  // Evaluations of the vector field so far; any thread may ask.
+  [[nodiscard]] double map_work() const;
   [[nodiscard]] bool out_of_work() const;
   [[nodiscard]] Samples first_guide(double end) const;
-  [[nodiscard]] std::optional<Trace> traced_piece(Samples guide, int generation);
+  // For a section; a trace may end where it is so long.
+  struct Limits {
+    std::size_t points;
+    double length;
+  };
+  [[nodiscard]] Limits limits_left(int generation) const;
   [[nodiscard]] Samples part_of_local(const Samples& samples, int part) const;
-  [[nodiscard]] Samples carried(Samples guide, int generation, double end);
+  [[nodiscard]] Samples carried(const Guide& guide, int generation, double end, const Counted& counted) const;
+  [[nodiscard]] Trace traced_section(const Guide& guide, int generation, double end, const Limits& limits,
+                                     const Counted& counted) const;
+  [[nodiscard]] std::optional<Trace> traced_within_limits(const Guide& guide, int generation, double end);
+  [[nodiscard]] std::vector<Samples> appended_together(std::span<const Guide> guides, int generation, double end);
   void append(const Trace& trace, int generation);
   void lengths_behind(std::size_t k, std::size_t count, double* lengths) const;
   void add_length(std::size_t begin);
@@ -90,6 +112,7 @@ class ManifoldGrowth {
   std::size_t generations_ = 0;  // begun
   // The sections in which each piece of the generation before and of this one was traced; parameters > 0.
   std::vector<std::vector<Samples>> previous_, current_;
+  double stretched_ = 1;  // points of the piece that was grown last for each of its guides
   int short_generations_ = 0;
   GrowthStop stop_ = GrowthStop::iterates;
   double points_needed_ = 0;

@@ -12,9 +12,11 @@ void append_finite(const Trace& trace, std::size_t first, Buffer<Point>& points,
   std::size_t next = first;
   const auto take_to = [&](std::size_t end) {
     if (next >= end) return;
-    const auto from = static_cast<std::ptrdiff_t>(next), to = static_cast<std::ptrdiff_t>(end);
-    points.insert(points.end(), samples.points.begin() + from, samples.points.begin() + to);
-    parameters.insert(parameters.end(), samples.parameters.begin() + from, samples.parameters.begin() + to);
+    const std::size_t at = points.size();
+    points.resize(at + end - next);
+    parameters.resize(at + end - next);
+    std::copy(&samples.points[next], &samples.points[end - 1] + 1, &points[at]);
+    std::copy(&samples.parameters[next], &samples.parameters[end - 1] + 1, &parameters[at]);
     next = end;
   };
   const auto finite = [&](std::size_t k) {

@@ -31,6 +31,14 @@ struct Insertion {
   Point point;
 };
 
+// Next to one: whole_number(x + one_below) is x rounded up, but for numbers that rounding made of whole ones.
+constexpr double one_below = 1 - 0x1p-40;
+
+// x >= 0 rounded down: as one instruction also on processors without one for that.
+double whole_number(double x) {
+  return static_cast<double>(static_cast<std::int64_t>(x));
+}
+
 class Tracer {
  public:
   Tracer(Samples guide, std::vector<std::uint32_t> kept, const CurveFunction& function, const TraceOptions& options)
@@ -388,7 +396,7 @@ class Tracer {
       sum += required[k];
       const bool stays = k + 1 == kept_[j];
       if (stays) ++j;
-      const double parts = std::max(1.0, stays ? std::ceil(sum) : std::round(sum));
+      const double parts = std::max(1.0, whole_number(stays ? sum + one_below : sum + 0.5));
       if (!stays && !(std::fabs(parts - sum) <= max_stretching * sum)) continue;
       const double scale = sum > 0 ? parts / sum : 0;
       for (std::size_t i = first; i <= k; ++i) index[i] = begin + std::min(index[i] * scale, parts);
@@ -405,7 +413,6 @@ class Tracer {
   // segment, from that around its first end to that around the other; next to corners it is the segment's own.
   void fill_segments(std::size_t first, std::size_t last, const Buffer<double>& required, const Buffer<double>& index,
                      Buffer<double>& parameters) const {
-    const auto own_end = static_cast<std::size_t>(std::ceil(index[last]));
     std::array<double, max_graded + 1> around;
     for (std::size_t begin = first, end = first; begin < last; begin = end) {
       end = std::min(begin + max_graded, last);
@@ -416,7 +423,7 @@ class Tracer {
       for (auto k = std::lower_bound(inner.begin(), inner.end(), begin); k != inner.end() && *k <= end; ++k)
         around[*k - begin] = -1;
       place_graded({&samples_.parameters[begin], &index[begin], &required[begin], around.data(), end - begin},
-                   parameters.data(), own_end);
+                   parameters.data());
     }
   }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <thread>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "kernels/box.hpp"
@@ -243,6 +244,74 @@ TEST(Grow, Stops) {
   EXPECT_GT(calls, 3);
   EXPECT_GE(cancelled.generation_begin.size(), 4U);
   EXPECT_GT(cancelled.points.size(), 1000U);
+}
+
+// Long generations are traced in sections side by side: a limit ends them where it would end them one by one.
+TEST(Grow, LimitsEndSectionsAtTheSamePointForAnyNumberOfThreads) {
+  const StandardMap map(1.2);
+  const LocalManifold local = local_manifold(map, {0, 0}, ManifoldSide::unstable);
+  const GrowthOptions whole{.tolerance = 1e-8, .iterates = 8};
+  const GrownManifold all = grow(map, local, Branch::plus, whole);
+  ASSERT_GT(all.points.size(), 200'000U);
+  const auto expect_prefix = [&](GrowthOptions options, GrowthStop stop) {
+    const GrownManifold one = with_threads(1, [&] { return grow(map, local, Branch::plus, options); });
+    EXPECT_EQ(one.stop, stop);
+    EXPECT_GT(one.points.size(), 100'000U);
+    EXPECT_LT(one.points.size(), all.points.size());
+    // Where a limit cuts a guide, points are placed anew.
+    const std::size_t alike = one.points.size() - 60'000;
+    EXPECT_TRUE(
+        std::equal(one.points.begin(), one.points.begin() + static_cast<std::ptrdiff_t>(alike), all.points.begin()));
+    for (const int threads : {2, 7}) {
+      const GrownManifold other = with_threads(threads, [&] { return grow(map, local, Branch::plus, options); });
+      EXPECT_EQ(other.points, one.points);
+      EXPECT_EQ(other.parameters, one.parameters);
+      EXPECT_EQ(other.generation_begin, one.generation_begin);
+      EXPECT_EQ(other.length, one.length);
+      EXPECT_EQ(other.images, one.images);
+      EXPECT_EQ(other.stop, one.stop);
+    }
+    return one;
+  };
+  GrowthOptions options = whole;
+  options.length = 0.8 * all.length;
+  const GrownManifold by_length = expect_prefix(options, GrowthStop::length);
+  EXPECT_GE(by_length.length, options.length);
+  EXPECT_LT(by_length.length, options.length + 0.1);
+  options = whole;
+  options.max_points = all.points.size() * 4 / 5;
+  const GrownManifold by_points = expect_prefix(options, GrowthStop::points);
+  EXPECT_LE(by_points.points.size(), options.max_points);
+  EXPECT_GT(static_cast<double>(by_points.points.size()), 0.99 * static_cast<double>(options.max_points));
+  options.whole_pieces = true;
+  const GrownManifold pieces = expect_prefix(options, GrowthStop::points);
+  EXPECT_EQ(pieces.points.size(), all.generation_begin[8]);
+  options = whole;
+  options.max_images = all.images * 4 / 5;
+  expect_prefix(options, GrowthStop::points);
+  options = whole;
+  options.max_work = 0.8 * static_cast<double>(all.images);
+  expect_prefix(options, GrowthStop::work);
+}
+
+TEST(Grow, ProgressIsCalledFromTheCallingThread) {
+  const StandardMap map(1.2);
+  const LocalManifold local = local_manifold(map, {0, 0}, ManifoldSide::unstable);
+  const std::thread::id caller = std::this_thread::get_id();
+  std::size_t calls = 0, most = 0;
+  bool from_others = false;
+  GrowthOptions options{.tolerance = 1e-8, .iterates = 8};
+  options.progress = [&](const GrowthProgress& at) {
+    ++calls;
+    from_others = from_others || std::this_thread::get_id() != caller;
+    EXPECT_GE(at.points, most);
+    most = at.points;
+    return at.points < 100'000;
+  };
+  const GrownManifold grown = grow(map, local, Branch::plus, options);
+  EXPECT_EQ(grown.stop, GrowthStop::cancelled);
+  EXPECT_GT(calls, 10U);
+  EXPECT_FALSE(from_others);
 }
 
 // The stable branch of the oscillating vortex pair on the line y = 0 runs into the other saddle.
