@@ -259,7 +259,7 @@ Outcome run_grow(std::span<const Input> inputs, const Options& options, const Co
 Operation grow_operation() {
   Operation operation;
   operation.name = "grow";
-  operation.revision = 2;  // lengths end at the edges of the box
+  operation.revision = 3;  // lengths end at the edges of the box; points lie elsewhere by roundings
   operation.title = "a branch of the stable or unstable manifold of a saddle";
   operation.summary =
       "Grows a branch of the stable or unstable manifold of a saddle of a map, or of a flow's Poincare map, to a "

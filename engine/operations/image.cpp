@@ -294,6 +294,7 @@ Outcome run_image(std::span<const Input> inputs, const Options& options, const C
 Operation image_operation() {
   Operation operation;
   operation.name = "image";
+  operation.revision = 2;  // points of traced curves lie elsewhere by roundings
   operation.title = "images and pre-images of a curve under a system's map";
   operation.summary =
       "Computes images and pre-images of a curve under a map, or a flow's Poincare map, to a tolerance.";
