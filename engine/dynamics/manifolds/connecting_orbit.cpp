@@ -1,5 +1,4 @@
 #include "lober/dynamics/connecting_orbit.hpp"
-#include "kernels/elementary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,8 @@
 #include <vector>
 
 #include "engine/base/text.hpp"
+#include "engine/dynamics/manifolds/directed_orbit.hpp"
+#include "kernels/elementary.hpp"
 #include "lober/base/error.hpp"
 
 namespace lober {
@@ -84,12 +85,12 @@ std::optional<long double> half_action(const PlanarMap& map, const LocalManifold
 }
 
 // Newton's method for the point that both have, until it gains no more.
-ConnectingOrbit closest(const PlanarMap& map, const LocalManifold& unstable, const LocalManifold& stable,
-                        ManifoldPosition u, ManifoldPosition s) {
+DirectedOrbit closest(const PlanarMap& map, const LocalManifold& unstable, const LocalManifold& stable,
+                      ManifoldPosition u, ManifoldPosition s) {
   u = normalised(unstable, u);
   s = normalised(stable, s);
-  ConnectingOrbit best;
-  best.residual = std::numeric_limits<double>::infinity();
+  DirectedOrbit best;
+  best.orbit.residual = std::numeric_limits<double>::infinity();
   int without_gain = 0;
   constexpr int max_rounds = 40;
   for (int round = 0; round < max_rounds && without_gain < 3; ++round) {
@@ -97,13 +98,13 @@ ConnectingOrbit closest(const PlanarMap& map, const LocalManifold& unstable, con
     const Point apart{on_s.at.x - on_u.at.x, on_s.at.y - on_u.at.y};
     const double residual = std::hypot(apart.x, apart.y);
     if (!std::isfinite(residual)) break;
-    if (residual < best.residual) {
-      best = {on_u.at, u, s, residual, {}, 0};
+    const double sine = on_u.velocity.x * on_s.velocity.y - on_u.velocity.y * on_s.velocity.x;
+    if (residual < best.orbit.residual) {
+      best = {{on_u.at, u, s, residual, {}, 0}, sine > 0};
       without_gain = 0;
     } else {
       ++without_gain;
     }
-    const double sine = on_u.velocity.x * on_s.velocity.y - on_u.velocity.y * on_s.velocity.x;
     if (sine == 0) break;
     u.parameter += (apart.x * on_s.velocity.y - apart.y * on_s.velocity.x) / sine;
     s.parameter += (apart.x * on_u.velocity.y - apart.y * on_u.velocity.x) / sine;
@@ -168,21 +169,22 @@ ManifoldPosition position_on(const GrownManifold& grown, const LocalManifold& lo
   return normalised(local, {generation, from + position.t * (to - from)});
 }
 
-ConnectingOrbit connecting_orbit(const PlanarMap& map, const LocalManifold& unstable, const LocalManifold& stable,
-                                 ManifoldPosition u, ManifoldPosition s) {
+DirectedOrbit detail::directed_orbit(const PlanarMap& map, const LocalManifold& unstable, const LocalManifold& stable,
+                                     ManifoldPosition u, ManifoldPosition s) {
   u = normalised(unstable, u);
   s = normalised(stable, s);
-  ConnectingOrbit best = closest(map, unstable, stable, u, s);
+  DirectedOrbit directed = closest(map, unstable, stable, u, s);
+  ConnectingOrbit& best = directed.orbit;
   int on = 0;  // images from the point that is asked for to the one that is met
   constexpr double sharp = 1e-14;
   if (!is_met(best, unstable) || action_of_residual(best, unstable, stable) > sharp * map.unit() * map.unit()) {
     on = images_half_way(unstable, stable, u, s);
-    std::optional<ConnectingOrbit> half_way;
+    std::optional<DirectedOrbit> half_way;
     if (on > 0) half_way = closest(map, unstable, stable, {u.images + on, u.parameter}, {s.images - on, s.parameter});
-    const bool better =
-        half_way && is_met(*half_way, unstable) && (!is_met(best, unstable) || half_way->residual < best.residual);
+    const bool better = half_way && is_met(half_way->orbit, unstable) &&
+                        (!is_met(best, unstable) || half_way->orbit.residual < best.residual);
     if (better) {
-      best = *half_way;
+      directed = *half_way;
     } else if (on = 0; !is_met(best, unstable)) {
       throw DataError("no orbit between the saddles was found near " + format_point(best.at) +
                       ": the manifolds touch there, do not cross, or are not resolved");
@@ -206,7 +208,12 @@ ConnectingOrbit connecting_orbit(const PlanarMap& map, const LocalManifold& unst
   const auto from_here = half_action(map, stable, after, best.action_error);
   if (to_here && from_here) best.action = *to_here + *from_here;
   best.action_error += action_of_residual(best, unstable, stable);
-  return best;
+  return directed;
+}
+
+ConnectingOrbit connecting_orbit(const PlanarMap& map, const LocalManifold& unstable, const LocalManifold& stable,
+                                 ManifoldPosition u, ManifoldPosition s) {
+  return directed_orbit(map, unstable, stable, u, s).orbit;
 }
 
 std::optional<double> lobe_area_by_action(const ConnectingOrbit& first, const ConnectingOrbit& second) {

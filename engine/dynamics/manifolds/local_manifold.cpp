@@ -84,6 +84,15 @@ class Solver {
     return result;
   }
 
+  // The same curve to a smaller reach.
+  [[nodiscard]] Candidate shortened(const Candidate& from, double reach) const {
+    std::vector<double> parameters(size_);
+    for (std::size_t k = 0; k < size_; ++k) parameters[k] = reach * chebyshev_node(k, size_);
+    Candidate result{reach, from.multiplier, std::vector<Point>(size_)};
+    chebyshev_coefficients(from.at(parameters), result.coefficients);
+    return result;
+  }
+
   // The curve of another map, moved to this saddle.
   [[nodiscard]] Candidate shifted(const LocalManifold& other) const {
     std::vector<double> parameters(size_);
@@ -112,23 +121,33 @@ class Solver {
     return result;
   }
 
-  // The same from close by. Derivatives take three times as long as images do: those of a guess whose residual is below
-  // `close`, as a fraction of the reach, gain some digits in each further round too.
-  [[nodiscard]] std::optional<Candidate> solved_nearby(Candidate from) const {
-    constexpr double close = 1e-3;
+  // The same from close by, until the residual is below `enough` or falls no further. Derivatives take three times as
+  // long as images do: those of a guess whose residual is below `close`, as a fraction of the reach, are improved by
+  // the steps themselves in each further round (Broyden's method for the equation that they linearise).
+  [[nodiscard]] std::optional<Candidate> solved_nearby(Candidate from, double enough) const {
+    constexpr double close = 1e-2;
     std::optional<Candidate> best;
     std::optional<LeastSquares> linearised;
+    std::vector<std::vector<double>> steps;
     double least = std::numeric_limits<double>::infinity();
     for (int round = 0; round < 20; ++round) {
       const bool anew = !linearised || least > close * from.reach;
       Matrix jacobian(anew ? 4 * size_ + 1 : 1, 2 * size_ + 1);
       const std::vector<double> residual = residual_of(from, anew ? &jacobian : nullptr);
-      const double size = length_of(residual);
-      if (!(size < least)) break;
+      const double size = length_of(residual), before = std::exchange(least, std::min(size, least));
+      if (!(size < before)) break;
       best = from;
-      if (!(size < 0.5 * std::exchange(least, size))) break;
-      if (anew) linearised.emplace(jacobian);
-      correct(from, linearised->solve(residual));
+      if (!(size < 0.5 * before)) break;
+      if (anew) {
+        linearised.emplace(jacobian);
+        steps.clear();
+      }
+      steps.push_back(broyden_step(linearised->solve(residual), steps));
+      correct(from, steps.back());
+      // The next round gains by as much as this one did, or more.
+      if (round == 0 || size * (size / before) > enough) continue;
+      best = from;
+      break;
     }
     if (best) measure_between_nodes(*best);
     return best;
@@ -165,8 +184,23 @@ class Solver {
     return size;
   }
 
-  static double length_of(const std::vector<double>& residual) {
-    return std::sqrt(std::inner_product(residual.begin(), residual.end(), residual.begin(), 0.0));
+  static double dot(const std::vector<double>& a, const std::vector<double>& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+  }
+  static double length_of(const std::vector<double>& residual) { return std::sqrt(dot(residual, residual)); }
+
+  // The step that follows `steps`, if the first linearisation alone would make it `step`: each of those corrects the
+  // linearisation by what it led to (Kelley 1995, Iterative Methods, 7.3).
+  static std::vector<double> broyden_step(std::vector<double> step, const std::vector<std::vector<double>>& steps) {
+    const auto add = [&](const std::vector<double>& to, double times) {
+      for (std::size_t k = 0; k < step.size(); ++k) step[k] += times * to[k];
+    };
+    for (std::size_t j = 0; j + 1 < steps.size(); ++j) add(steps[j + 1], dot(steps[j], step) / dot(steps[j], steps[j]));
+    if (steps.empty()) return step;
+    const double part = dot(steps.back(), step) / dot(steps.back(), steps.back());
+    if (!(part < 0.5)) return step;
+    for (double& x : step) x /= 1 - part;
+    return step;
   }
 
   void correct(Candidate& from, const std::vector<double>& change) const {
@@ -341,23 +375,50 @@ Candidate farthest(const Solver& solver, const Saddle& saddle, const LocalManifo
   return *best;
 }
 
+// The factor by which the reach may grow until the coefficients, which die out like a geometric series as far as
+// rounding and the errors of the map, `noise`, show them, need all of the degree; 1 or more.
+double room_to_grow(const Candidate& found, double noise) {
+  const auto size_of = [&](std::size_t k) { return length(found.coefficients[k]); };
+  const double least = std::max(noise, 8 * std::numeric_limits<double>::epsilon() * size_of(0));
+  const std::size_t size = found.coefficients.size();
+  std::size_t used = size;
+  while (used > 2 && size_of(used - 1) <= least) --used;
+  const double unused = static_cast<double>(size) / static_cast<double>(used) - 1;
+  return elementary::power(std::max(size_of(1) / least, 1.0), unused / static_cast<double>(size));
+}
+
 // The manifold from that of a map nearby, with its reach, at which the defect is about the allowed one: so it may be
-// twice that.
+// twice that. Where this is a little too long for this map it is shortened, and made longer where it is far too short.
 std::optional<Candidate> from_neighbour(const Solver& solver, const Saddle& saddle, const LocalManifoldOptions& options,
                                         double unit) {
+  constexpr int max_shortenings = 2;
+  constexpr double shortening = 0.7, hardly_off = 1e-9, worth_growing = 2.5;
   const LocalManifold& other = *options.neighbour;
   if (!(other.multiplier * saddle.multiplier > 0) || other.reach > options.max_length) return std::nullopt;
-  std::optional<Candidate> found = solver.solved_nearby(solver.shifted(other));
-  const auto is_good = [&] {
-    if (!found) return false;
-    found->noise = other.noise;
-    found->noise_across = other.noise_across;
-    return is_acceptable(*found, saddle, options, unit, 2);
+  const double scale = scale_of(saddle, unit);
+  const double near_enough = 0.5 * std::max(options.tolerance * scale, other.noise_across);
+  const auto solved = [&](const Candidate& guess, double enough) {
+    std::optional<Candidate> found = solver.solved_nearby(guess, enough);
+    if (found) {
+      found->noise = other.noise;
+      found->noise_across = other.noise_across;
+    }
+    return found;
   };
-  if (is_good()) return found;
-  // Once more, with derivatives from nearer by.
-  if (found) found = solver.solved_nearby(*found);
-  return is_good() ? found : std::nullopt;
+  const auto is_good = [&](const std::optional<Candidate>& found) {
+    return found && is_acceptable(*found, saddle, options, unit, 2);
+  };
+  std::optional<Candidate> found = solved(solver.shifted(other), near_enough);
+  // Once more, with derivatives from nearer by, and until nothing more is gained.
+  if (found && !is_good(found)) found = solved(*found, 0);
+  for (int k = 0; k < max_shortenings && found && !is_good(found) && found->defect_across <= hardly_off * scale; ++k)
+    found = solved(solver.shortened(*found, shortening * found->reach), near_enough);
+  if (!is_good(found)) return std::nullopt;
+  if (!options.outgrow_neighbour) return found;
+  const double longer = std::min(room_to_grow(*found, other.noise_across) * found->reach, options.max_length);
+  if (longer < worth_growing * found->reach) return found;
+  const std::optional<Candidate> grown = solved(solver.continued(*found, longer), near_enough);
+  return is_good(grown) ? grown : found;
 }
 
 }  // namespace

@@ -42,10 +42,11 @@ struct LocalManifoldOptions {
   double tolerance =
       1e-14;  ///< bound on the defect, relative to the saddle's largest coordinate or map.unit() if it is less
   double max_length = 100;  ///< r is not taken larger than this, in units of map.unit()
-  /// The manifold of a map near this one: the solution starts from it, with its r and noise, at about a sixteenth of
-  /// the cost, and its defect is measured between the nodes only. Where the defect is then more than twice the allowed
-  /// one, the result is as without a neighbour.
+  /// The manifold of a map near this one: the solution starts from it, with its noise and r (less, where that is a
+  /// little too large), at about a twentieth of the cost, and its defect is measured between the nodes only. Where the
+  /// defect is then more than twice the allowed one, the result is as without a neighbour.
   const LocalManifold* neighbour = nullptr;
+  bool outgrow_neighbour = false;  ///< whether r becomes larger than the neighbour's where that is far too small
 };
 
 /// s in [-reach, reach] gives both branches; s is arc length from the saddle to first order. The branch s > 0 leaves

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
+#include <utility>
 
+#include "engine/dynamics/manifolds/directed_orbit.hpp"
 #include "engine/dynamics/transport/tangles/splitting.hpp"
 #include "kernels/elementary.hpp"
 #include "lober/base/error.hpp"
@@ -14,50 +15,89 @@ namespace {
 
 constexpr double images_apart = 1e-9, one_image = 1e-6;  // in images, as TangleGrowth has them
 
-// Along U, in images: 0 where its parameter is 1, whatever the reach.
-double time_of_orbit(const KnownTurnstile& known, std::size_t number) {
-  const ManifoldPosition& u = known.orbits[number].u;
-  return u.images + elementary::log(std::fabs(u.parameter)) / elementary::log(known.u.image().factor);
+// Where an orbit is on both manifolds, in images.
+struct OrbitTime {
+  double u, s;
+};
+
+double log_factor(const LocalManifold& local) {
+  return elementary::log(local.image().factor);
 }
 
-// About the same point of another manifold, whose reach and multiplier may differ, some images on.
-ManifoldPosition moved(const LocalManifold& from, const LocalManifold& to, ManifoldPosition position, double images) {
-  const double shift = elementary::log(from.reach / to.reach) / elementary::log(to.image().factor);
-  return position_at(to, time_of(from, position) + shift + images, position.parameter);
+// Where a position is, in images: 0 at the end of the local manifold if that had this reach. Manifolds of other reach,
+// and of maps nearby, are compared by one.
+double time_by(double reach, double log_factor, ManifoldPosition position) {
+  return position.images + elementary::log(std::fabs(position.parameter) / reach) / log_factor;
+}
+
+OrbitTime time_of_orbit(const KnownManifolds& on, const ConnectingOrbit& orbit, const KnownManifolds& reaches) {
+  return {time_by(reaches.u.local.reach, log_factor(on.u.local), orbit.u),
+          time_by(reaches.s.local.reach, log_factor(on.s.local), orbit.s)};
+}
+OrbitTime time_of_orbit(const KnownTurnstile& known, std::size_t number) {
+  return time_of_orbit(known.on, known.orbits[number], known.on);
+}
+
+// The position at that time.
+ManifoldPosition position_by(double reach, const LocalManifold& local, double time, double side) {
+  return position_at(local, time + elementary::log(reach / local.reach) / log_factor(local), side);
+}
+
+// The times of an orbit when the parameter is `step` from that of `from`, by what is known there and before.
+OrbitTime expected(const KnownTurnstile& from, std::size_t number, double step, double images) {
+  const OrbitTime here = time_of_orbit(from, number);
+  std::vector<double> offsets{0};
+  std::vector<OrbitTime> times{here};
+  for (const KnownTurnstile::Past& past : from.past) {
+    if (std::fabs(past.offset) < shortest_past * std::fabs(step)) break;
+    offsets.push_back(past.offset);
+    times.push_back({time_by(from.on.u.local.reach, past.u.log_factor, past.u.at[number]),
+                     time_by(from.on.s.local.reach, past.s.log_factor, past.s.at[number])});
+  }
+  const std::vector<double> weights = interpolation_weights(offsets, step);
+  OrbitTime time{here.u + images, here.s - images};
+  for (std::size_t k = 1; k < offsets.size(); ++k) {
+    time.u += weights[k] * (times[k].u - here.u);
+    time.s += weights[k] * (times[k].s - here.s);
+  }
+  return time;
 }
 
 // The image of q that is as far from one saddle as from the other, as a number of images: Newton's method is at its
 // best there, and so is growing.
-double images_to_the_middle(const KnownTurnstile& known) {
+int images_to_the_middle(const KnownTurnstile& known) {
   const ConnectingOrbit& q = known.orbits.back();
-  return std::round((time_of(known.s, q.s) - time_of(known.u, q.u)) / 2);
+  return static_cast<int>(std::round((time_of(known.on.s.local, q.s) - time_of(known.on.u.local, q.u)) / 2));
 }
 
 // f^-1(q) is not an orbit of its own; near a saddle Newton's method would find it less well.
-ConnectingOrbit preimage(const PlanarMap& map, const KnownTurnstile& known, ConnectingOrbit q) {
-  q.u = position_at(known.u, time_of(known.u, q.u) - 1, q.u.parameter);
-  q.s = position_at(known.s, time_of(known.s, q.s) + 1, q.s.parameter);
-  q.at = point_on(map, known.u, q.u).at;
+ConnectingOrbit preimage(const PlanarMap& map, const KnownManifolds& on, ConnectingOrbit q) {
+  const LocalManifold &u = on.u.local, &s = on.s.local;
+  q.u = position_at(u, time_of(u, q.u) - 1, q.u.parameter);
+  q.s = position_at(s, time_of(s, q.s) + 1, q.s.parameter);
+  q.at = point_on(map, u, q.u).at;
   return q;
 }
 
-// Manifolds of different reach have no coefficients to compare.
-ManifoldRate rate_of(const LocalManifold& from, const LocalManifold& to, double step) {
-  if (step == 0 || from.reach != to.reach || from.coefficients.size() != to.coefficients.size()) return {};
-  const auto rate = [step](Point a, Point b) { return Point{(b.x - a.x) / step, (b.y - a.y) / step}; };
-  ManifoldRate result{rate(from.saddle, to.saddle), (to.multiplier - from.multiplier) / step, {}};
-  for (std::size_t k = 0; k < to.coefficients.size(); ++k)
-    result.coefficients.push_back(rate(from.coefficients[k], to.coefficients[k]));
-  return result;
-}
-
-LocalManifold moved_on(const LocalManifold& from, const ManifoldRate& rate, double step) {
-  LocalManifold result = from;
-  if (rate.coefficients.empty()) return result;
-  const auto add = [step](Point& at, Point by) { at = {at.x + step * by.x, at.y + step * by.y}; };
-  add(result.saddle, rate.saddle);
-  result.multiplier += step * rate.multiplier;
-  for (std::size_t k = 0; k < result.coefficients.size(); ++k) add(result.coefficients[k], rate.coefficients[k]);
+// The past of a turnstile that is `step` and some images on from `from`.
+std::vector<KnownTurnstile::Past> past_of(const KnownTurnstile& from, double step, int images) {
+  if (step == 0) return {};
+  std::vector<KnownTurnstile::Past> result(1);
+  KnownTurnstile::Past& before = result[0];
+  before = {0, {log_factor(from.on.u.local), {}}, {log_factor(from.on.s.local), {}}};
+  for (const ConnectingOrbit& orbit : from.orbits) {
+    before.u.at.push_back(orbit.u);
+    before.s.at.push_back(orbit.s);
+  }
+  for (const KnownTurnstile::Past& past : from.past) {
+    if (result.size() + 1 == values_to_extrapolate) break;
+    if (lies_apart(past.offset, step)) result.push_back(past);
+  }
+  for (KnownTurnstile::Past& past : result) {
+    past.offset -= step;
+    for (ManifoldPosition& position : past.u.at) position.images += images;
+    for (ManifoldPosition& position : past.s.at) position.images -= images;
+  }
   return result;
 }
 
@@ -66,11 +106,11 @@ constexpr double lost = std::numeric_limits<double>::infinity();
 // Orbits that are not behind the one before are another pip's, and lost. False if q is.
 bool order(KnownTurnstile& known) {
   const std::size_t last = known.orbits.size() - 1;
-  double before = time_of_orbit(known, 0);
+  double before = time_of_orbit(known, 0).u;
   for (std::size_t k = 1; k <= last; ++k) {
     if (known.is_lost(k)) continue;
-    const double time = time_of_orbit(known, k);
-    if (time > before + images_apart && (k == last || time < time_of_orbit(known, last) - images_apart)) {
+    const double time = time_of_orbit(known, k).u;
+    if (time > before + images_apart && (k == last || time < time_of_orbit(known, last).u - images_apart)) {
       before = time;
     } else {
       if (k == last) return false;
@@ -80,23 +120,27 @@ bool order(KnownTurnstile& known) {
   return true;
 }
 
-// Whether each orbit has moved by so little, in images along U, that it cannot be another pip's: by a quarter of what
-// lies between it and the pips next to it, or, where they were lost, between pips at even distances. Newton's method
-// converges to any of them.
-bool are_the_same(const KnownTurnstile& known, const KnownTurnstile& before, double images) {
+// Whether each orbit is so near to where it was expected, in images along U, that it cannot be another pip's, to any of
+// which Newton's method may converge: off by a quarter of what lies between it and the pips next to it, or, where they
+// were lost, between pips at even distances. Where it has moved by more than that in all, the manifolds have to cross
+// there the same way as before, which they do not at the pips next to it.
+bool are_the_same(const KnownTurnstile& known, const KnownTurnstile& before, double step, double images) {
   constexpr double part_of_gap = 0.25;
   const std::size_t last = before.orbits.size() - 1;
   for (std::size_t k = 1; k <= last; ++k) {
     if (before.is_lost(k) || known.is_lost(k)) continue;
-    const double here = time_of_orbit(before, k);
+    const double here = time_of_orbit(before, k).u;
     double gap = 1 / static_cast<double>(last);
     const std::size_t next = k < last ? k + 1 : 1;
     if (!before.is_lost(k - 1) && !before.is_lost(next)) {
       // The one after the last is the image of the first one.
-      const double after = time_of_orbit(before, next) + (k < last ? 0 : 1);
-      gap = std::min(here - time_of_orbit(before, k - 1), after - here);
+      const double after = time_of_orbit(before, next).u + (k < last ? 0 : 1);
+      gap = std::min(here - time_of_orbit(before, k - 1).u, after - here);
     }
-    if (std::fabs(time_of_orbit(known, k) - here - images) > part_of_gap * gap) return false;
+    const double there = time_of_orbit(known.on, known.orbits[k], before.on).u;
+    if (std::fabs(there - expected(before, k, step, images).u) > part_of_gap * gap) return false;
+    const bool has_moved = std::fabs(there - here - images) > part_of_gap * gap;
+    if (has_moved && (before.to_left.empty() || known.to_left[k] != before.to_left[k])) return false;
   }
   return true;
 }
@@ -116,10 +160,10 @@ double KnownTurnstile::error() const {
 }
 
 std::optional<std::size_t> KnownTurnstile::same_pip(const KnownTurnstile& other, std::size_t number) const {
-  const double time = time_of_orbit(other, number);
+  const double time = time_of_orbit(other.on, other.orbits[number], on).u;
   for (std::size_t k = 1; k < orbits.size(); ++k) {
     if (is_lost(k)) continue;
-    const double images = time - time_of_orbit(*this, k);
+    const double images = time - time_of_orbit(*this, k).u;
     if (std::fabs(images - std::round(images)) <= one_image) return k;
   }
   return std::nullopt;
@@ -127,7 +171,8 @@ std::optional<std::size_t> KnownTurnstile::same_pip(const KnownTurnstile& other,
 
 // U is grown to the pip and S to its pre-image. Their lengths go with the multipliers, and a point takes an image for
 // each generation.
-KnownBip KnownTurnstile::bip(std::size_t number) const {
+KnownStart KnownTurnstile::start(std::size_t number) const {
+  const LocalManifold &u = on.u.local, &s = on.s.local;
   const ConnectingOrbit& orbit = orbits[number];
   const double on_u = time_of(u, orbit.u), on_s = time_of(s, orbit.s);
   const auto cost_of = [](const LocalManifold& local, double time) {
@@ -142,39 +187,47 @@ KnownBip KnownTurnstile::bip(std::size_t number) const {
     least = cost;
     best = images;
   }
-  return {u, s, position_at(u, on_u + best, orbit.u.parameter), position_at(s, on_s - best, orbit.s.parameter)};
+  KnownStart start{
+      u,
+      s,
+      KnownBip{position_at(u, on_u + best, orbit.u.parameter), position_at(s, on_s - best, orbit.s.parameter)},
+      {}};
+  for (std::size_t k = 1; k < orbits.size(); ++k) {
+    if (!is_lost(k)) start.orbits.push_back(orbits[k]);
+  }
+  return start;
 }
 
 KnownTurnstile known_turnstile(const ManifoldTangle& found) {
-  return {found.local_u, found.local_s, {}, {}, found.orbits};
+  return {{{found.local_u, {}, {}, 0, 0}, {found.local_s, {}, {}, 0, 0}}, found.orbits, {}, {}};
 }
 
-std::optional<KnownTurnstile> continued_turnstile(const PlanarMap& map, const Connection& connection,
+std::optional<KnownTurnstile> continued_turnstile(const PlanarMap& map, KnownManifolds manifolds,
                                                   const KnownTurnstile& from, double step) {
-  const LocalManifold near_u = moved_on(from.u, from.rate_u, step), near_s = moved_on(from.s, from.rate_s, step);
-  Connection between = connection;
-  between.from = near_u.saddle;
-  between.to = near_s.saddle;
-  KnownTurnstile known;
-  std::tie(known.u, known.s) = local_manifolds(map, between, &near_u, &near_s);
-  known.rate_u = rate_of(from.u, known.u, step);
-  known.rate_s = rate_of(from.s, known.s, step);
-  const double images = images_to_the_middle(from);
+  KnownTurnstile known{std::move(manifolds), {}, {}, {}};
+  const LocalManifold &u = known.on.u.local, &s = known.on.s.local;
+  const int images = images_to_the_middle(from);
   const std::size_t last = from.orbits.size() - 1;
   known.orbits.resize(last + 1);
+  known.to_left.resize(last + 1);
   for (std::size_t k = last; k > 0; --k) {
     const ConnectingOrbit& orbit = from.orbits[k];
     try {
       known.orbits[k].residual = lost;
       if (from.is_lost(k)) continue;
-      known.orbits[k] = connecting_orbit(map, known.u, known.s, moved(from.u, known.u, orbit.u, images),
-                                         moved(from.s, known.s, orbit.s, -images));
+      const OrbitTime time = expected(from, k, step, images);
+      const DirectedOrbit found =
+          directed_orbit(map, u, s, position_by(from.on.u.local.reach, u, time.u, orbit.u.parameter),
+                         position_by(from.on.s.local.reach, s, time.s, orbit.s.parameter));
+      known.orbits[k] = found.orbit;
+      known.to_left[k] = found.to_left ? 1 : 0;
     } catch (const DataError&) {
       if (k == last) return std::nullopt;
     }
   }
-  known.orbits.front() = preimage(map, known, known.orbits.back());
-  return are_the_same(known, from, images) && order(known) ? std::optional(std::move(known)) : std::nullopt;
+  known.orbits.front() = preimage(map, known.on, known.orbits.back());
+  known.past = past_of(from, step, images);
+  return are_the_same(known, from, step, images) && order(known) ? std::optional(std::move(known)) : std::nullopt;
 }
 
 }  // namespace lober::detail

@@ -59,15 +59,15 @@ void fill_fluxes(SweepRow& row, const FamilyMember& member, const ManifoldTangle
   }
 }
 
-// The turnstile of one value, with the bip if that is known.
+// The turnstile of one value, with its local manifolds and the bip as far as they are known.
 SweepValue value_at(const Family& family, double value, const ManifoldTangleOptions& options, bool with_fluxes,
-                    const KnownBip* bip = nullptr) {
+                    const KnownStart* start = nullptr) {
   SweepValue result;
   SweepRow& row = result.row;
   row.value = value;
   try {
     const FamilyMember member = family(value);
-    const std::unique_ptr<ManifoldTangle> found = TangleGrowth(*member.map, member.connection, options, bip).take();
+    const std::unique_ptr<ManifoldTangle> found = TangleGrowth(*member.map, member.connection, options, start).take();
     fill(row, *found);
     if (with_fluxes) fill_fluxes(row, member, *found);
     result.known = known_turnstile(*found);
@@ -85,11 +85,12 @@ SweepValue value_at(const Family& family, double value, const ManifoldTangleOpti
 //
 // A tangle by itself takes one of its pips as the bip, and a little farther along the sweep it might take another:
 // W(q) - W(q') would jump. So every 32nd value is worked out from nothing; from each of these the turnstile is
-// continued value by value to the next one, where it shows which of that one's pips is the same. Then all rows are
-// made, with local manifolds and a bip that are known. The same bits for any number of threads.
+// continued value by value to the next one, where it shows which of that one's pips is the same. Where pips come or go
+// the local manifolds are continued all the same, and the tangle is looked for on them. Then all rows are made, with
+// local manifolds and a bip that are known. The same bits for any number of threads.
 class SweepOfValues {
  public:
-  using ValueAt = std::function<SweepValue(double, const KnownBip*)>;
+  using ValueAt = std::function<SweepValue(double, const KnownStart*)>;
 
   using OnRow = std::function<void(const SweepRow&)>;
 
@@ -139,33 +140,45 @@ class SweepOfValues {
   static constexpr std::size_t together = 32;
 
   // Turnstiles of the values up to the beginning of the next group, and there. Where one cannot be continued it is
-  // worked out from nothing.
+  // looked for on manifolds that are, or else worked out from nothing.
   void continue_from(std::size_t group) {
     const std::size_t end = std::min((group + 1) * together, values_.size());
     std::optional<std::size_t> last;
     for (std::size_t k = group * together; k < end; ++k) {
       if (k > group * together) {
-        if (last) known_[k] = continued(k, *last);
+        Followed there = last ? followed(k, *last) : Followed{};
+        known_[k] = std::move(there.turnstile);
         chain_[k] = known_[k] ? chain_[*last] : k;
         follows_[k] = known_[k] && known_[k - 1];
-        if (!known_[k]) {
-          found_[k] = value_at_(values_[k], nullptr);
-          known_[k] = found_[k].known;
-        }
+        if (!known_[k]) look_for(k, there.manifolds);
       }
       if (known_[k]) last = k;
       ++done_;
     }
     if (end == values_.size() || !last) return;
-    at_begin_[group + 1] = continued(end, *last);
+    at_begin_[group + 1] = followed(end, *last).turnstile;
     begin_chain_[group + 1] = chain_[*last];
+  }
+
+  void look_for(std::size_t k, const std::optional<KnownManifolds>& manifolds) {
+    if (manifolds) {
+      const KnownStart start{manifolds->u.local, manifolds->s.local, {}, {}};
+      found_[k] = value_at_(values_[k], &start);
+    }
+    if (found_[k].known) {
+      known_[k] = found_[k].known;
+      known_[k]->on = *manifolds;
+    } else {
+      found_[k] = value_at_(values_[k], nullptr);
+      known_[k] = found_[k].known;
+    }
   }
 
   // Where a system's own guess finds no saddle any more, one that was followed there may be; from either side.
   void continue_over_gaps() {
     const auto fill = [&](std::size_t k, std::size_t from) {
       if (known_[k] || !known_[from]) return;
-      known_[k] = continued(k, from);
+      known_[k] = followed(k, from).turnstile;
       if (!known_[k]) return;
       chain_[k] = chain_[from];
       follows_[std::max(k, from)] = 1;
@@ -198,19 +211,8 @@ class SweepOfValues {
     return bips;
   }
 
-  // The turnstile of value k from that of another one, in smaller steps where one is too large.
-  [[nodiscard]] std::optional<KnownTurnstile> continued(std::size_t k, std::size_t from) const {
-    constexpr int halvings = 4;
-    return followed(values_[from], *known_[from], values_[k], halvings);
-  }
-
-  [[nodiscard]] std::optional<KnownTurnstile> followed(double from, const KnownTurnstile& known, double to,
-                                                       int halvings) const {
-    std::optional<KnownTurnstile> there = continued_to(family_, to, known, to - from);
-    if (there || halvings == 0) return there;
-    const double middle = 0.5 * (from + to);
-    const std::optional<KnownTurnstile> halfway = followed(from, known, middle, halvings - 1);
-    return halfway ? followed(middle, *halfway, to, halvings - 1) : std::nullopt;
+  [[nodiscard]] Followed followed(std::size_t k, std::size_t from) const {
+    return followed_to(family_, values_[k], values_[from], known_[from]->on, &*known_[from]);
   }
 
   void make_row(std::size_t k, std::size_t bip) {
@@ -220,8 +222,8 @@ class SweepOfValues {
     if (known_[k]) {
       const std::size_t last = known_[k]->orbits.size() - 1;
       const bool is_last = bip == 0 || bip >= last, is_there = is_last || !known_[k]->is_lost(bip);
-      const KnownBip known = known_[k]->bip(is_last || !is_there ? last : bip);
-      SweepValue made = value_at_(values_[k], &known);
+      const KnownStart start = known_[k]->start(is_last || !is_there ? last : bip);
+      SweepValue made = value_at_(values_[k], &start);
       is_own_[k] = !made.known || !is_there;
       if (made.known) value = std::move(made);
     }
@@ -285,8 +287,8 @@ Sweep swept(const Family& family, std::span<const double> values, const SweepOpt
     cancelled = cancelled || !options.progress(static_cast<double>(done) / pieces);
     return !cancelled;
   };
-  const auto value_with = [&](double value, const KnownBip* bip) {
-    return value_at(family, value, inner.tangle, true, bip);
+  const auto value_with = [&](double value, const KnownStart* start) {
+    return value_at(family, value, inner.tangle, true, start);
   };
   const std::vector<SweepValue> found = SweepOfValues(family, values, done, value_with, options.on_row).run();
   for (const SweepValue& value : found) result.rows.push_back(value.row);

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "engine/dynamics/transport/sweep/known_manifolds.hpp"
 #include "engine/dynamics/transport/sweep/known_turnstile.hpp"
 #include "lober/transport/sweep.hpp"
 
@@ -18,5 +19,16 @@ struct SweepValue {
 /// family has no such member. Throws Cancelled.
 [[nodiscard]] std::optional<KnownTurnstile> continued_to(const Family& family, double value, const KnownTurnstile& from,
                                                          double step);
+
+/// A value that is reached from another one: its manifolds, and its turnstile where the pips can be followed.
+struct Followed {
+  std::optional<KnownManifolds> manifolds;
+  std::optional<KnownTurnstile> turnstile;
+};
+
+/// The manifolds and the turnstile of a value from those of another one, in smaller steps where one is too large; from
+/// manifolds alone where there is no turnstile. Throws Cancelled.
+[[nodiscard]] Followed followed_to(const Family& family, double value, double from_value, const KnownManifolds& from,
+                                   const KnownTurnstile* turnstile);
 
 }  // namespace lober::detail

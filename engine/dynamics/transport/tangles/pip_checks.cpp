@@ -58,6 +58,26 @@ bool TangleGrowth::lobes_are_thin() const {
   return false;
 }
 
+// The orbit through a pip: an image of one that is known, if the polygons show it there, or else by Newton's method.
+ConnectingOrbit TangleGrowth::orbit_through(std::size_t pip) const {
+  constexpr double close = 1e-3;  // in images
+  const auto [u, s] = positions_of(pip);
+  const Time time = {time_of(u_.local, u), time_of(s_.local, s)};
+  for (const ConnectingOrbit& known : known_orbits_) {
+    const Time there = {time_of(u_.local, known.u), time_of(s_.local, known.s)};
+    const double images = std::round(time.u - there.u);
+    if (!(std::fabs(time.u - there.u - images) <= close && std::fabs(time.s - there.s + images) <= close)) continue;
+    if (images == 0) return known;
+    ConnectingOrbit orbit = known;
+    orbit.u = position_at(u_.local, there.u + images, known.u.parameter);
+    orbit.s = position_at(s_.local, there.s - images, known.s.parameter);
+    orbit.at = u_.local.at(orbit.u.parameter);
+    map_.iterate({&orbit.at, 1}, orbit.u.images * u_.local.image().steps);
+    return orbit;
+  }
+  return connecting_orbit(map_, u_.local, s_.local, u, s);
+}
+
 // Why the pips of the turnstile are not those of the manifolds; empty if they are. Leaves their orbits.
 std::string TangleGrowth::trouble_with_pips() {
   const std::string polygons = " (polygons to the tolerance " + tolerance_text() + ")";
@@ -71,10 +91,7 @@ std::string TangleGrowth::trouble_with_pips() {
   }
   orbits_.clear();
   try {
-    for (std::size_t k = bip_ - period_; k <= bip_; ++k) {
-      const auto [u, s] = positions_of(k);
-      orbits_.push_back(connecting_orbit(map_, u_.local, s_.local, u, s));
-    }
+    for (std::size_t k = bip_ - period_; k <= bip_; ++k) orbits_.push_back(orbit_through(k));
   } catch (const DataError& error) {
     return error.what() + polygons;
   }

@@ -43,12 +43,18 @@ std::optional<Opposite> opposite(const PlanarMap& map, const LocalManifold& unst
     if (std::fabs(along) <= close_along * (map.unit() + length(on_u.at))) break;
     // Newton's method has converged where it gains no more.
     if (round > 2 && !(std::fabs(along) < 0.5 * last)) break;
+    // Errors are squared: about this would be left after this step.
+    const double left = std::fabs(along) * (along / last) * (along / last);
     last = std::fabs(along);
     const double before = s.parameter;
     s.parameter -= along / rate;
     if (!(s.parameter * before > 0) || !(std::fabs(s.parameter) <= 4 * stable.reach)) return std::nullopt;
     s = normalised(stable, s);
     if (s.parameter == before) break;
+    if (round > 0 && left <= close_along * (map.unit() + length(on_u.at))) {
+      apart = {apart.x - on_s.velocity.x * along / rate, apart.y - on_s.velocity.y * along / rate};
+      break;
+    }
   }
   return Opposite{u, s, tangent.x * apart.y - tangent.y * apart.x};
 }

@@ -34,17 +34,17 @@ constexpr double finest_roundings = 32;
 }  // namespace
 
 std::pair<LocalManifold, LocalManifold> local_manifolds(const PlanarMap& map, const Connection& connection,
-                                                        const LocalManifold* neighbour_u,
-                                                        const LocalManifold* neighbour_s) {
-  LocalManifold u = local_manifold(map, connection.from, ManifoldSide::unstable, {.neighbour = neighbour_u});
-  LocalManifold s = local_manifold(map, connection.to, ManifoldSide::stable, {.neighbour = neighbour_s});
+                                                        const LocalManifoldOptions& of_u,
+                                                        const LocalManifoldOptions& of_s) {
+  LocalManifold u = local_manifold(map, connection.from, ManifoldSide::unstable, of_u);
+  LocalManifold s = local_manifold(map, connection.to, ManifoldSide::stable, of_s);
   // Both manifolds of a homoclinic tangle begin in one point, to the bit: else they might cross there.
   if (distance(u.saddle, s.saddle) <= 1e-8 * (map.unit() + length(u.saddle))) s.saddle = u.saddle;
   return {std::move(u), std::move(s)};
 }
 
 TangleGrowth::TangleGrowth(const PlanarMap& map, const Connection& connection, const ManifoldTangleOptions& options,
-                           const KnownBip* known)
+                           const KnownStart* known)
     : map_(map),
       options_(options),
       bip_near_(options.bip_near ? options.bip_near : connection.bip),
@@ -53,11 +53,14 @@ TangleGrowth::TangleGrowth(const PlanarMap& map, const Connection& connection, c
   if (known) {
     u_.local = known->local_u;
     s_.local = known->local_s;
-    known_bip_ = {time_of(u_.local, known->u), time_of(s_.local, known->s)};
-    ends_at_bip_ = true;
-    bip_near_.reset();
+    known_orbits_ = known->orbits;
   } else {
     std::tie(u_.local, s_.local) = local_manifolds(map, connection);
+  }
+  if (known && known->bip) {
+    known_bip_ = {time_of(u_.local, known->bip->u), time_of(s_.local, known->bip->s)};
+    ends_at_bip_ = true;
+    bip_near_.reset();
   }
   u_.branch = branch_towards(u_.local, connection.u_direction);
   s_.branch = branch_towards(s_.local, connection.s_direction);

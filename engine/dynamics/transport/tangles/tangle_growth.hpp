@@ -22,17 +22,23 @@
 
 namespace lober::detail {
 
-/// The local manifolds of U and S; those of a homoclinic tangle have one saddle, to the bit. Neighbours: as in
-/// LocalManifoldOptions. Throws as local_manifold.
+/// The local manifolds of U and S; those of a homoclinic tangle have one saddle, to the bit. Throws as local_manifold.
 [[nodiscard]] std::pair<LocalManifold, LocalManifold> local_manifolds(const PlanarMap& map,
                                                                       const Connection& connection,
-                                                                      const LocalManifold* neighbour_u = nullptr,
-                                                                      const LocalManifold* neighbour_s = nullptr);
+                                                                      const LocalManifoldOptions& of_u = {},
+                                                                      const LocalManifoldOptions& of_s = {});
 
-/// A bip as an orbit that is known, with the local manifolds on which it lies.
+/// A bip as an orbit that is known: where it lies on both manifolds.
 struct KnownBip {
-  LocalManifold local_u, local_s;
   ManifoldPosition u, s;
+};
+
+/// Where the growth of a tangle begins if its local manifolds are known, and perhaps its bip and orbits on them through
+/// its pips.
+struct KnownStart {
+  LocalManifold local_u, local_s;
+  std::optional<KnownBip> bip;
+  std::vector<ConnectingOrbit> orbits;
 };
 
 class TangleGrowth {
@@ -40,7 +46,7 @@ class TangleGrowth {
   /// Finds the turnstile; without a search, if the bip is known, and then no more of the manifolds than it takes: such
   /// a tangle cannot be grown on. The map must outlive it. Throws as grow_tangle.
   TangleGrowth(const PlanarMap& map, const Connection& connection, const ManifoldTangleOptions& options,
-               const KnownBip* known = nullptr);
+               const KnownStart* known = nullptr);
 
   /// Grows on until the pips f^-before(q) to f^after(q) are there. False when they cannot be reached: limit() says why,
   /// and the earlier tangle is still there. Throws Cancelled.
@@ -119,6 +125,7 @@ class TangleGrowth {
   [[nodiscard]] std::optional<std::size_t> image_of_bip(int steps, double close) const;
   [[nodiscard]] std::optional<double> tolerance_for_splitting();
   [[nodiscard]] std::string trouble_with_pips();
+  [[nodiscard]] ConnectingOrbit orbit_through(std::size_t pip) const;
   [[nodiscard]] bool lobes_are_thin() const;
   [[nodiscard]] std::string by_action() const;
   [[nodiscard]] bool grow_between(int before, int after);
@@ -136,6 +143,7 @@ class TangleGrowth {
   ManifoldTangleOptions options_;
   std::optional<Point> bip_near_, near_;
   std::optional<Time> known_bip_;
+  std::vector<ConnectingOrbit> known_orbits_;
   bool ends_at_bip_ = false;    // manifolds do, as the known bip says
   std::vector<Point> closure_;  // closure of the connection
   std::string caution_;         // likewise
