@@ -3,9 +3,11 @@
 // always inlined (kernels/inline.hpp). All copies give the same bits.
 #pragma once
 
+#include "kernels/bent_slab.inl"
 #include "kernels/box_pyramid.inl"
 #include "kernels/chebyshev.inl"
 #include "kernels/crossing_parameters.inl"
+#include "kernels/fold_chart.inl"
 #include "kernels/frame_filter.inl"
 #include "kernels/graded.inl"
 #include "kernels/interpolation.inl"
@@ -35,6 +37,7 @@ const KernelTable LOBER_KERNELS{
     .crossings_of_height = crossings_of_leaf,
     .chebyshev_points = evaluate_chebyshev,
     .four_parameters = four_parameters,
+    .chart_leaf = chart_of_leaf,
     .frames_of_leaves = put_frames_of_leaves,
     .join_frames = put_joined_frames,
     .distribute_frames = distribute_by_frames,
@@ -46,7 +49,8 @@ const KernelTable LOBER_KERNELS{
     .twice_chord_areas = areas_of_all,
     .add_arc_measures = arc_sums,
     .segment_boxes = all_segment_boxes,
-    .leaf_slab = fit_slab,
+    .bent_slab = fit_bent_slab,
+    .segments_meeting = meeting_bent_slab,
     .meeting_segments = find_meeting,
     .shoelace_prefixes = prefixes_of,
     .shoelace_of_leaf = sum_of_leaf,

@@ -26,6 +26,10 @@ HeightCrossings crossings_of_height(const Point* points, Point point) {
   return kernels().crossings_of_height(points, point);
 }
 
+void chart_leaf(const Point* points, const Box& box, const Box& window, const FoldChart& chart, ChartedLeaf& charted) {
+  kernels().chart_leaf(points, box, window, chart, charted);
+}
+
 void frames_of_leaves(const std::array<const Point*, nodes_at_once>& points,
                       const std::array<const Box*, nodes_at_once>& boxes, FourFrames& frames) {
   kernels().frames_of_leaves(points.data(), boxes.data(), frames);
@@ -94,13 +98,17 @@ void segment_boxes(const Point* points, SegmentBoxes& boxes) {
   kernels().segment_boxes(points, boxes);
 }
 
-void leaf_slab(const Point* points, Slab& slab) {
-  kernels().leaf_slab(points, slab);
+void bent_slab(const Point* points, BentSlab& slab) {
+  kernels().bent_slab(points, slab);
+}
+
+std::uint32_t segments_meeting(const BentSlab& slab, const Point* points) {
+  return kernels().segments_meeting(slab, points);
 }
 
 std::size_t meeting_segments(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,
-                             std::uint32_t b_begin, SegmentPair* pairs) {
-  return kernels().meeting_segments(a, a_begin, b, b_box, b_begin, pairs);
+                             std::uint32_t b_begin, SegmentPair* pairs, std::uint32_t wanted) {
+  return kernels().meeting_segments(a, a_begin, b, b_box, b_begin, pairs, wanted);
 }
 
 DD shoelace_prefixes(const Point* points, Point origin, DD start, const DD* extra, LeafPrefixes& prefixes) {

@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "kernels/bent_slab.hpp"
 #include "kernels/box_pyramid.hpp"
 #include "kernels/cpu.hpp"
 #include "kernels/crossing_parameters.hpp"
+#include "kernels/fold_chart.hpp"
 #include "kernels/frame_filter.hpp"
 #include "kernels/graded.hpp"
 #include "kernels/interpolation.hpp"
@@ -38,6 +40,8 @@ struct KernelTable {
   void (*chebyshev_points)(const Point* coefficients, std::size_t degrees, double centre, double half_width,
                            const double* parameters, std::size_t size, Point* points);
   unsigned (*four_parameters)(const SegmentCrossing* crossings, double scale, CrossingParameters* parameters);
+  void (*chart_leaf)(const Point* points, const Box& box, const Box& window, const FoldChart& chart,
+                     ChartedLeaf& charted);
   void (*frames_of_leaves)(const Point* const* points, const Box* const* boxes, FourFrames& frames);
   void (*join_frames)(const FourFrames* const* below, const Chord* chords, const Box* const* boxes, FourFrames& frames);
   void (*distribute_frames)(const FourFrames& four, std::size_t present, FramePyramid pyramid, const TreeNode* list,
@@ -54,9 +58,10 @@ struct KernelTable {
   void (*twice_chord_areas)(const Point* points, std::size_t count, double* areas);
   void (*add_arc_measures)(const Point* points, std::size_t count, Point origin, ArcMeasures& sums);
   void (*segment_boxes)(const Point* points, SegmentBoxes& boxes);
-  void (*leaf_slab)(const Point* points, Slab& slab);
+  void (*bent_slab)(const Point* points, BentSlab& slab);
+  std::uint32_t (*segments_meeting)(const BentSlab& slab, const Point* points);
   std::size_t (*meeting_segments)(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,
-                                  std::uint32_t b_begin, SegmentPair* pairs);
+                                  std::uint32_t b_begin, SegmentPair* pairs, std::uint32_t wanted);
   DD (*shoelace_prefixes)(const Point* points, Point origin, DD start, const DD* extra, LeafPrefixes& prefixes);
   DD (*shoelace_of_leaf)(const Point* points, Point origin);
   void (*sums_at)(const LeafPrefixes& prefixes, const std::uint32_t* segments, const DD* t, std::size_t count,

@@ -36,15 +36,19 @@ struct alignas(64) SegmentBoxes {
 /// rounding does to the products. Where that normal is not finite, it is all of the plane.
 void leaf_slab(const Point* points, Slab& slab);
 
+/// Bits of all segments of a leaf.
+inline constexpr std::uint32_t all_segments = ~std::uint32_t{0};
+static_assert(leaf_size == 32);
+
 /// Fills `boxes` from the leaf_size + 1 points of a leaf.
 void segment_boxes(const Point* points, SegmentBoxes& boxes);
 
-/// Writes to `pairs` the (a_begin + i, b_begin + j) such that the boxes of segment i of leaf a and segment j of leaf b
-/// meet (touching counts; decided exactly), segment j does not lie wholly on one side of the slab of leaf a, and has a
-/// length; every pair of segments with a common point is among them, but for segments j of no length, which carry
-/// nothing. Ordered by j, then i. Returns how many; room for leaf_size^2 is needed. `b_box` is the box of leaf b.
-/// Coordinates must be finite.
+/// Writes to `pairs` the (a_begin + i, b_begin + j), bit j of `wanted` set, such that the boxes of segment i of leaf a
+/// and segment j of leaf b meet (touching counts; decided exactly), segment j does not lie wholly on one side of the
+/// slab of leaf a, and has a length; every pair of segments with a common point is among them, but for segments j of no
+/// length, which carry nothing. Ordered by j, then i. Returns how many; room for leaf_size^2 is needed. `b_box` is the
+/// box of leaf b. Coordinates must be finite.
 std::size_t meeting_segments(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,
-                             std::uint32_t b_begin, SegmentPair* pairs);
+                             std::uint32_t b_begin, SegmentPair* pairs, std::uint32_t wanted = all_segments);
 
 }  // namespace lober::detail

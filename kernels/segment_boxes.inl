@@ -171,12 +171,12 @@ inline std::uint32_t meeting_box(const Point* points, const Box& other) {
 }
 
 inline std::size_t find_meeting(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,
-                                std::uint32_t b_begin, SegmentPair* pairs) {
+                                std::uint32_t b_begin, SegmentPair* pairs, std::uint32_t wanted) {
   // Often the boxes of two leaves meet and those of their parts do not.
   Box near;
   box_of_meeting_groups(a, b_box, near);
   if (near.lane[0] == __builtin_inf()) return 0;
-  std::uint32_t candidates = meeting_box(b, near);
+  std::uint32_t candidates = wanted & meeting_box(b, near);
   if (candidates != 0) candidates &= meeting_slab(a, b);
   std::size_t count = 0;
   for (; candidates != 0; candidates &= candidates - 1) {

@@ -115,8 +115,9 @@ TEST(MeetingSegments, BothCopiesGiveTheSame) {
     avx2_kernels.segment_boxes(a.data(), wide);
     ASSERT_EQ(std::memcmp(&plain, &wide, offsetof(SegmentBoxes, slab) + sizeof plain.slab), 0);  // padding differs
     std::vector<SegmentPair> from_plain(leaf_size * leaf_size), from_wide(leaf_size * leaf_size);
-    from_plain.resize(baseline_kernels.meeting_segments(plain, 3, b.data(), box_of(b), 5, from_plain.data()));
-    from_wide.resize(avx2_kernels.meeting_segments(wide, 3, b.data(), box_of(b), 5, from_wide.data()));
+    from_plain.resize(
+        baseline_kernels.meeting_segments(plain, 3, b.data(), box_of(b), 5, from_plain.data(), all_segments));
+    from_wide.resize(avx2_kernels.meeting_segments(wide, 3, b.data(), box_of(b), 5, from_wide.data(), all_segments));
     ASSERT_EQ(from_plain, from_wide) << "try " << k;
   }
 }

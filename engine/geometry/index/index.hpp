@@ -49,8 +49,8 @@ class PairConsumer {
 /// (see choose_index). Grid and k-d tree are built over `second`, then thrown away.
 SearchCounts find_pairs(const IndexedCurve& first, const IndexedCurve& second, IndexKind kind, PairConsumer& consumer);
 
-/// Hands the pairs i < j of segments of one curve that can meet in more than a common end to the consumer: all whose
-/// boxes meet, except pairs inside a monotone run, which cannot.
+/// Hands all pairs i < j of segments of one curve that meet in more than a common end to the consumer, and only such
+/// whose boxes meet. Pairs inside a monotone run, and neighbours that turn by less than a right angle, do not come.
 SearchCounts find_self_pairs(const IndexedCurve& curve, PairConsumer& consumer);
 
 /// The index with the smallest expected cost for this pair of curves; the tree unless segments are so long and slanted

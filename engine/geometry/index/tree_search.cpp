@@ -3,6 +3,7 @@
 // side by side, windows (window_search.hpp) where one curve is folded upon itself many times.
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,7 +27,7 @@ static_assert(block_level % 2 == 0, "the walk passes through even levels");
 // The number of boxes a leaf from which on frames and windows pay for one curve, strips for two: pairs of boxes between
 // folds of one curve never cross, those of two curves may well. Making strips takes as long as testing a number of
 // boxes for each leaf.
-constexpr double worth_frames = 16, worth_windows = 350, worth_strips = 200, boxes_a_strip = 16;
+constexpr double worth_frames = 16, worth_windows = 250, worth_strips = 200, boxes_a_strip = 16;
 // Strips of two curves stay if with them no more than this part of the boxes is tested: where bundles of folds lie
 // across each other they tell nothing apart.
 constexpr double part_with_strips = 0.4;
@@ -59,14 +60,17 @@ void collect(const TreeWalk& search, const Meeting& from, std::uint32_t level, s
 struct Forecast {
   double boxes_a_leaf = 0, boxes = 0;
 };
-Forecast forecast(const TreeWalk& search, const std::vector<Meeting>& tasks, SearchCounts& counts) {
-  const std::size_t samples = std::min<std::size_t>(4, tasks.size() / 4);
+// From the tasks, or, before there are any, from the start of the walk, of which only some ways are followed.
+// Ends when it is certain to exceed `enough` boxes a leaf.
+Forecast forecast(const TreeWalk& search, std::size_t tasks, const auto& meeting_of, double enough,
+                  SearchCounts& counts) {
+  const std::size_t samples = std::min<std::size_t>(4, tasks / 4);
   SearchCounts sampled;
   std::size_t leaves = 0;
-  for (std::size_t k = 0; k < samples; ++k) {
-    const Meeting& task = tasks[(2 * k + 1) * tasks.size() / (2 * samples)];
+  const double ample = enough * static_cast<double>(samples << block_level);
+  for (std::size_t k = 0; k < samples && static_cast<double>(sampled.boxes_tested) <= ample; ++k) {
     std::vector<Meeting> blocks, met;
-    collect(search, task, block_level, blocks, sampled);
+    collect(search, meeting_of((2 * k + 1) * tasks / (2 * samples)), block_level, blocks, sampled);
     if (blocks.empty()) continue;
     collect(search, blocks[blocks.size() / 2], 0, met, sampled);
     leaves += std::size_t{1} << block_level;
@@ -74,7 +78,21 @@ Forecast forecast(const TreeWalk& search, const std::vector<Meeting>& tasks, Sea
   if (leaves == 0) return {};
   counts.boxes_tested += sampled.boxes_tested;
   const double a_leaf = static_cast<double>(sampled.boxes_tested) / static_cast<double>(leaves);
-  return {a_leaf, a_leaf * static_cast<double>(tasks.size() << task_level)};
+  return {a_leaf, a_leaf * static_cast<double>(tasks << task_level)};
+}
+
+// The node `index` of the level of tasks with what it meets: the way down to it from the root.
+Meeting task_below(const TreeWalk& search, Meeting from, std::size_t index, SearchCounts& counts) {
+  while (from.node.level > task_level && !from.list.empty()) {
+    TreeWalk::Carried carried;
+    search.go_down(from.node, from.list, carried, counts);
+    const TreeNode below = TreeWalk::first_below(from.node);
+    const auto number = static_cast<std::uint32_t>(index >> (below.level - task_level));
+    const std::size_t i = number - below.index;
+    const TreeNode* const list = carried.met[i].data();
+    from = {{below.level, number}, {list, list + carried.count[i]}};
+  }
+  return from;
 }
 
 // The pairs of all leaves with those that are near.
@@ -133,14 +151,22 @@ SearchCounts search_trees(const BoxTree& first, const BoxTree& second, bool self
   SearchCounts counts;
   std::vector<TreeNode> list = search.start(counts);
   if (first.root().level <= block_level) return search_block(search, first.root(), counts, list, consumer);
-  std::vector<Meeting> tasks;
-  collect(search, {first.root(), std::move(list)}, task_level, tasks, counts);
-
-  const Forecast ahead = forecast(search, tasks, counts);
-  if (self && ahead.boxes_a_leaf > worth_windows) {
-    const NearLeaves near(first, counts);
-    if (near.is_complete()) return search_leaves(search, near, first.leaves(), consumer, counts);
+  const Meeting start{first.root(), std::move(list)};
+  Forecast ahead;
+  if (self) {
+    // Where many boxes meet, the way down to the tasks is long.
+    const auto task = [&](std::size_t index) { return task_below(search, start, index, counts); };
+    ahead = forecast(search, first.nodes(std::min(task_level, first.levels() - 1)), task, worth_windows, counts);
+    if (ahead.boxes_a_leaf > worth_windows) {
+      const NearLeaves near(first, counts);
+      if (near.is_complete()) return search_leaves(search, near, first.leaves(), consumer, counts);
+    }
   }
+  std::vector<Meeting> tasks;
+  collect(search, start, task_level, tasks, counts);
+  const auto task_at = [&](std::size_t k) { return tasks[k]; };
+  constexpr double no_bound = std::numeric_limits<double>::infinity();
+  if (!self) ahead = forecast(search, tasks.size(), task_at, no_bound, counts);
   std::optional<NodeFrames> frames;
   std::optional<NodeStrips> strips1, strips2;
   if (self && ahead.boxes_a_leaf > worth_frames) {
@@ -149,7 +175,7 @@ SearchCounts search_trees(const BoxTree& first, const BoxTree& second, bool self
   } else if (ahead.boxes_a_leaf > worth_strips &&
              ahead.boxes > boxes_a_strip * static_cast<double>(first.leaves() + second.leaves())) {
     search.use(strips1.emplace(first), strips2.emplace(second));
-    const Forecast with_strips = forecast(search, tasks, counts);
+    const Forecast with_strips = forecast(search, tasks.size(), task_at, no_bound, counts);
     if (with_strips.boxes_a_leaf > part_with_strips * ahead.boxes_a_leaf) search.use_boxes_only();
   }
   std::vector<SearchCounts> task_counts(tasks.size());

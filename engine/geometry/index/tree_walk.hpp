@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -17,6 +18,7 @@
 #include "engine/geometry/index/index.hpp"
 #include "engine/geometry/index/node_frames.hpp"
 #include "engine/geometry/index/node_strips.hpp"
+#include "kernels/bent_slab.hpp"
 #include "kernels/box_pyramid.hpp"
 #include "lober/base/buffer.hpp"
 
@@ -271,30 +273,52 @@ class TreeWalk {
 
   void leaf_pairs(TreeNode leaf, std::span<const TreeNode> others, Buffer<SegmentPair>& pairs,
                   SearchCounts& counts) const {
+    // Leaves of one curve seldom meet: most that come here run beside each other.
     SegmentBoxes boxes;
-    segment_boxes(first_.leaf_points(leaf.index), boxes);
+    BentSlab slab;
+    bool has_boxes = false;
+    if (self_) bent_slab(first_.leaf_points(leaf.index), slab);
     const auto begin = static_cast<std::uint32_t>(leaf.index * leaf_size);
     pairs.clear();
     for (const TreeNode& other : others) {
+      const Point* const points = second_.leaf_points(other.index);
+      const bool beside = self_ && other.index != leaf.index;
+      const std::uint32_t wanted = beside ? segments_meeting(slab, points) : all_segments;
+      if (wanted == 0) continue;
+      if (!has_boxes) segment_boxes(first_.leaf_points(leaf.index), boxes);
+      has_boxes = true;
       const std::size_t before = pairs.size();
       pairs.resize(before + leaf_size * leaf_size);
       const auto other_begin = static_cast<std::uint32_t>(other.index * leaf_size);
-      std::size_t found = meeting_segments(boxes, begin, second_.leaf_points(other.index), second_.box(other),
-                                           other_begin, pairs.data() + before);
-      if (self_ && other.index == leaf.index) found = keep_upper(pairs.data() + before, found);
+      std::size_t found =
+          meeting_segments(boxes, begin, points, second_.box(other), other_begin, pairs.data() + before, wanted);
+      if (self_) found = keep_upper(pairs.data() + before, found);
       pairs.resize(before + found);
     }
     drop_padding(pairs);
     counts.boxes_tested += others.size();
   }
 
-  // Keeps those pairs of a leaf with itself that have first < second.
-  static std::size_t keep_upper(SegmentPair* pairs, std::size_t count) {
+  // Keeps those pairs of one curve that have first < second and can meet in more than a common end.
+  [[nodiscard]] std::size_t keep_upper(SegmentPair* pairs, std::size_t count) const {
+    const Point* const points = first_.curve().points.data();
+    const std::size_t size = first_.curve().points.size();
     std::size_t kept = 0;
     for (std::size_t k = 0; k < count; ++k) {
-      if (pairs[k].first < pairs[k].second) pairs[kept++] = pairs[k];
+      const SegmentPair pair = pairs[k];
+      if (pair.first >= pair.second) continue;
+      const bool is_joint = pair.second == pair.first + 1 && pair.second + std::size_t{1} < size;
+      if (!is_joint || !goes_on(points + pair.first)) pairs[kept++] = pair;
     }
     return kept;
+  }
+  // Whether the way through three points certainly turns by less than a right angle in the middle: then the two
+  // segments have nothing but that in common.
+  [[nodiscard]] static bool goes_on(const Point* points) {
+    const double x0 = points[1].x - points[0].x, y0 = points[1].y - points[0].y;
+    const double x1 = points[2].x - points[1].x, y1 = points[2].y - points[1].y;
+    const double by_x = x0 * x1, by_y = y0 * y1;
+    return by_x + by_y > 0x1p-50 * (std::fabs(by_x) + std::fabs(by_y)) + 0x1p-1000;
   }
 
   // The last leaf is filled up with segments of no length that are not there.

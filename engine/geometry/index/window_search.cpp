@@ -1,24 +1,29 @@
-// Where a curve is folded upon itself many times, the pieces of it that lie in a window are folds side by side, and
-// in the order of the curve each is next to its neighbour. So a binary tree over them, of whatever lies in the window,
-// has nodes that are bundles of folds, which strips (kernels/strip.hpp) tell from other bundles. In a window that is
-// too large for that, folds turn away from any strip; it is split.
+// Where a curve is folded upon itself many times, the pieces of it that lie in a window are folds side by side. A
+// function of the place whose level lines follow them (kernels/fold_chart.hpp) gives each piece an interval of heights;
+// sorted by these, pieces of the same height are neighbours in the list, and all others are apart. In a window that is
+// too large for one such function, pieces are level with many; it is split.
 
 #include "engine/geometry/index/window_search.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "engine/base/parallel/parallel.hpp"
-#include "kernels/strip.hpp"
+#include "kernels/fold_chart.hpp"
 
 namespace lober::detail {
 namespace {
 
-// A window in which bundles meet more others than these, each on average, is split. Where that does not help either,
-// many leaves lie across each other, and those that meet are not worth listing from the second number on.
-constexpr std::size_t max_met = 16, max_listed = 256;
+// A window is split where leaves are level with more others than these, on average, as far as a few of them show; where
+// it takes more comparisons than these, a leaf; and where more pairs than these remain.
+constexpr double max_level = 16;
+constexpr std::size_t max_compared = 32, max_met = 2;
+// Where splitting does not help either, many leaves lie across each other, and those that meet are not worth listing
+// from this number on, a leaf.
+constexpr std::size_t max_listed = 256;
 // In windows of as few leaves everything is compared.
 constexpr std::size_t smallest = 64;
 
@@ -26,35 +31,137 @@ struct LeafPair {
   std::uint32_t first, second;
 };
 
-Box clipped(const Box& box, const Box& window) {
-  Box result;
-  for (std::size_t k = 0; k < 4; ++k) result.lane[k] = std::max(box.lane[k], window.lane[k]);
-  return result;
+struct Charted {
+  ChartedLeaf at;
+  std::uint32_t leaf;
+};
+bool is_lower(const Charted& a, const Charted& b) {
+  return a.at.low < b.at.low || (a.at.low == b.at.low && a.leaf < b.leaf);
 }
 
-// The leaves that a window has to do with, and the bundles of them.
+// Sorts by `low`: into as many equal steps as there are leaves, then within these.
+void sort_by_height(const Buffer<Charted>& from, std::size_t count, Buffer<Charted>& sorted) {
+  double least = std::numeric_limits<double>::infinity(), greatest = -least;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (std::isfinite(from[k].at.low)) least = std::min(least, from[k].at.low);
+    greatest = std::max(greatest, from[k].at.low);
+  }
+  const double last = static_cast<double>(count) - 1, steps = last / (greatest - least);
+  const double scale = std::isfinite(steps) ? steps : 0;
+  const auto step_of = [&](const Charted& leaf) {
+    const double step = (leaf.at.low - least) * scale;
+    return static_cast<std::size_t>(step > 0 ? std::min(step, last) : 0);  // an infinite `low` is the least
+  };
+  std::vector<std::uint32_t> end(count + 1);
+  for (std::size_t k = 0; k < count; ++k) ++end[step_of(from[k]) + 1];
+  for (std::size_t k = 0; k < count; ++k) end[k + 1] += end[k];
+  sorted.resize(count);
+  for (std::size_t k = 0; k < count; ++k) sorted[end[step_of(from[k])]++] = from[k];
+  for (std::size_t k = 0, begin = 0; k < count; begin = end[k++]) {
+    if (end[k] > begin + 1) std::sort(sorted.begin() + begin, sorted.begin() + end[k], is_lower);
+  }
+}
+
+// The part of a leaf that lies in a window, as one chord.
+struct Piece {
+  Point middle, chord;
+};
+Piece piece_in(const Point* points, const Box& window) {
+  const auto is_in = [&](Point p) { return meet(Box::of(p, p), window); };
+  std::size_t first = 0, last = leaf_size;
+  while (first < last && !is_in(points[first])) ++first;
+  while (last > first && !is_in(points[last])) --last;
+  if (first == last) {
+    first -= first > 0 ? 1 : 0;
+    last += last < leaf_size ? 1 : 0;
+  }
+  const Point from = points[first], to = points[last];
+  return {{0.5 * from.x + 0.5 * to.x, 0.5 * from.y + 0.5 * to.y}, {to.x - from.x, to.y - from.y}};
+}
+
+// Four normal equations, a little regularised. Zeros where that gives no numbers.
+using Equations = std::array<std::array<double, 5>, 4>;
+std::array<double, 4> solved(Equations rows) {
+  const double trace = rows[0][0] + rows[1][1] + rows[2][2] + rows[3][3];
+  for (std::size_t k = 0; k < 4; ++k) rows[k][k] += 1e-5 * trace;
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t i = k + 1; i < 4; ++i) {
+      const double factor = rows[i][k] / rows[k][k];
+      for (std::size_t j = k; j < 5; ++j) rows[i][j] -= factor * rows[k][j];
+    }
+  }
+  std::array<double, 4> x{};
+  for (std::size_t k = 4; k-- > 0;) {
+    double value = rows[k][4];
+    for (std::size_t j = k + 1; j < 4; ++j) value -= rows[k][j] * x[j];
+    x[k] = value / rows[k][k];
+  }
+  if (!std::isfinite(x[0] + x[1] + x[2] + x[3])) return {};
+  return x;
+}
+
+// The chart whose level lines follow these pieces best, by least squares: its gradient has no part along a chord.
+FoldChart fit_chart(std::span<const Piece> pieces, const Box& window) {
+  FoldChart chart{{0.5 * window.min_x() + 0.5 * window.max_x(), 0.5 * window.min_y() + 0.5 * window.max_y()}, {1, 0}};
+  // Their mean direction, either sense of a chord being the same: a mean of doubled angles.
+  Point doubled{0, 0};
+  for (const Piece& piece : pieces) {
+    const auto [x, y] = piece.chord;
+    const double length = std::sqrt(x * x + y * y);
+    if (!(length > 0)) continue;
+    doubled.x += (x * x - y * y) / length;
+    doubled.y += 2 * x * y / length;
+  }
+  const double length = std::sqrt(doubled.x * doubled.x + doubled.y * doubled.y);
+  const double unit = 0.5 * std::max(window.width(), window.height());
+  if (!(length > 0 && std::isfinite(length) && unit > 0)) return chart;
+  const double cosine = doubled.x / length;
+  const double ax = std::sqrt(std::max(0.0, 0.5 * (1 + cosine)));
+  const double ay = std::copysign(std::sqrt(std::max(0.0, 0.5 * (1 - cosine))), doubled.y);
+  chart.along = {ax, ay};
+  Equations rows{};
+  for (const Piece& piece : pieces) {
+    const double x = (piece.middle.x - chart.at.x) / unit, y = (piece.middle.y - chart.at.y) / unit;
+    const double dx = piece.chord.x / unit, dy = piece.chord.y / unit;
+    const double u = ax * x + ay * y, v = ax * y - ay * x, du = ax * dx + ay * dy, dv = ax * dy - ay * dx;
+    const double size = std::sqrt(du * du + dv * dv);
+    if (!(size > 0)) continue;
+    // du (slope + 2 bend u + shear v) + dv (1 + shear u + 2 bow v) = 0
+    const std::array<double, 5> row{du, 2 * du * u, du * v + dv * u, 2 * dv * v, -dv};
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = 0; j < 5; ++j) rows[i][j] += row[i] * row[j] / size;
+    }
+  }
+  const std::array<double, 4> found = solved(rows);
+  if (!(std::fabs(found[0]) <= 4)) return chart;
+  chart.slope = found[0];
+  chart.bend = found[1] / unit;
+  chart.shear = found[2] / unit;
+  chart.bow = found[3] / unit;
+  return chart;
+}
+
+// The leaves that a window has to do with.
 class Window {
  public:
-  Window(const BoxTree& tree, const Buffer<Strip>& leaf_strips, const Box& window, std::vector<std::uint32_t> leaves)
-      : tree_(tree), leaf_strips_(leaf_strips), window_(window), leaves_(std::move(leaves)) {}
+  Window(const BoxTree& tree, const Box& window, std::vector<std::uint32_t> leaves)
+      : tree_(tree), window_(window), leaves_(std::move(leaves)) {}
 
   // All pairs of leaves that may meet in the window, which is split as long as that helps; none where they are too
-  // many.
+  // many. A pair of neighbours may be missing where it cannot meet but in the end that they share.
   std::optional<std::vector<LeafPair>> search(SearchCounts& counts) {
     if (leaves_.empty()) return std::vector<LeafPair>{};
+    const FoldChart chart = fitting();
     const bool is_small = leaves_.size() <= smallest;
-    if (is_small || !is_bent()) {
-      bundle();
-      if (auto found = meet_by_levels(is_small ? smallest : max_met, counts)) return found;
+    if (is_small || on_one_level(chart, counts) <= max_level) {
+      if (auto found = compare(chart, is_small ? smallest : max_met, is_small ? smallest : max_compared, counts)) {
+        return found;
+      }
     }
     std::optional<std::array<Window, 2>> halves = split();
-    if (!halves) {
-      if (boxes_.empty()) bundle();
-      return meet_by_levels(max_listed, counts);
-    }
-    boxes_ = {};
-    strips_ = {};
-    bundles_ = {};
+    if (!halves && leave_out(chart)) return search(counts);
+    if (!halves) return compare(chart, max_listed, std::numeric_limits<std::uint32_t>::max(), counts);
+    leaves_ = {};
     std::array<std::optional<std::vector<LeafPair>>, 2> found;
     std::array<SearchCounts, 2> half_counts;
     for_each_block(2, 1, [&](std::size_t k, std::size_t) { found[k] = (*halves)[k].search(half_counts[k]); });
@@ -65,162 +172,158 @@ class Window {
   }
 
  private:
-  // Whether arcs turn too much across the window for strips to follow them.
-  [[nodiscard]] bool is_bent() const {
-    constexpr std::size_t samples = 255;
-    constexpr double most = 0.3;
-    std::vector<double> bends;
-    const std::size_t step = std::max<std::size_t>(1, leaves_.size() / samples);
-    for (std::size_t k = step / 2; k < leaves_.size(); k += step)
-      bends.push_back(std::fabs(leaf_strips_[leaves_[k]].bend));
-    const auto middle = bends.begin() + static_cast<std::ptrdiff_t>(bends.size() / 2);
-    std::nth_element(bends.begin(), middle, bends.end());
-    return *middle * std::max(window_.width(), window_.height()) > most;
+  // Number k of `count` leaves, all where there are no more. Equal steps would meet each fold in the same place.
+  [[nodiscard]] std::uint32_t sample(std::size_t k, std::size_t count) const {
+    if (count == leaves_.size()) return leaves_[k];
+    constexpr std::uint32_t golden = 0x9e3779b9;
+    const std::uint32_t part = static_cast<std::uint32_t>(k) * golden;
+    return leaves_[static_cast<std::uint64_t>(part) * leaves_.size() >> 32U];
   }
 
-  // Boxes, strips, flags and ends of all bundles.
-  void bundle() {
-    const std::size_t count = leaves_.size();
-    std::size_t total = 0;
-    levels_ = 0;
-    for (std::size_t size = count;; size = (size + 1) / 2) {
-      begin_[levels_] = static_cast<std::uint32_t>(total);
-      size_[levels_++] = static_cast<std::uint32_t>(size);
-      total += size;
-      if (size == 1) break;
+  void measure(std::uint32_t leaf, const FoldChart& chart, ChartedLeaf& at) const {
+    chart_leaf(tree_.leaf_points(leaf), tree_.leaf_boxes()[leaf], window_, chart, at);
+  }
+
+  [[nodiscard]] FoldChart fitting() const {
+    std::array<Piece, 16> pieces;
+    const std::size_t count = std::min(pieces.size(), leaves_.size());
+    for (std::size_t k = 0; k < count; ++k) pieces[k] = piece_in(tree_.leaf_points(sample(k, count)), window_);
+    return fit_chart({pieces.data(), count}, window_);
+  }
+
+  // Leaves out those of which the box alone reaches into the window, if they are many.
+  [[nodiscard]] bool leave_out(const FoldChart& chart) {
+    std::vector<std::uint32_t> inside;
+    for (const std::uint32_t leaf : leaves_) {
+      ChartedLeaf at;
+      measure(leaf, chart, at);
+      if (at.is_inside) inside.push_back(leaf);
     }
-    boxes_.resize(total);
-    strips_.resize(total);
-    bundles_.resize(total);
+    if (inside.size() > leaves_.size() * 9 / 10) return false;
+    leaves_ = std::move(inside);
+    return true;
+  }
+
+  // How many others a leaf is level with, judged by some.
+  [[nodiscard]] double on_one_level(const FoldChart& chart, SearchCounts& counts) const {
+    const std::size_t count = std::min<std::size_t>(32, leaves_.size());
+    double sum = 0, low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t k = 0; k < count; ++k) {
-      const std::uint32_t leaf = leaves_[k];
-      boxes_[k] = tree_.leaf_boxes()[leaf];
-      strips_[k] = leaf_strips_[leaf];
-      bundles_[k] = {leaf, leaf, tree_.flags({0, leaf})};
+      ChartedLeaf at;
+      measure(sample(k, count), chart, at);
+      if (!at.is_inside) continue;
+      sum += at.high - at.low;
+      low = std::min(low, at.low);
+      high = std::max(high, at.high);
     }
-    for (std::uint32_t level = 1; level < levels_; ++level) {
-      const std::size_t below = begin_[level - 1], here = begin_[level], pairs = size_[level - 1] / 2;
-      join_strips(&strips_[below], pairs, &strips_[here]);
-      for (std::size_t k = 0; k < pairs; ++k) {
-        const std::size_t first = below + 2 * k;
-        boxes_[here + k] = union_of(boxes_[first], boxes_[first + 1]);
-        const Bundle &one = bundles_[first], &other = bundles_[first + 1];
-        const bool together = one.last + 1 == other.first;
-        bundles_[here + k] = {one.first, other.last, static_cast<std::uint8_t>(together ? one.flags & other.flags : 0)};
-      }
-      if (size_[level] == pairs) continue;
-      boxes_[here + pairs] = boxes_[below + 2 * pairs];
-      strips_[here + pairs] = strips_[below + 2 * pairs];
-      bundles_[here + pairs] = bundles_[below + 2 * pairs];
-    }
+    counts.boxes_tested += count;
+    if (!(high > low)) return 0;
+    return 2 * sum / (high - low) * (static_cast<double>(leaves_.size()) / static_cast<double>(count));
   }
 
-  // Level by level the bundles that may meet each; none when they are more than `most` on average.
-  [[nodiscard]] std::optional<std::vector<LeafPair>> meet_by_levels(std::size_t most, SearchCounts& counts) const {
-    std::vector<std::uint32_t> met{0}, met_end{1}, met_below, met_end_below;
-    std::vector<TreeNode> list;
-    for (std::uint32_t level = levels_ - 1; level-- > 0;) {
-      met_below.clear();
-      met_end_below.resize(size_[level]);
-      for (std::uint32_t k = 0; k < size_[level]; ++k) {
-        const std::size_t from = k < 2 ? 0 : met_end[k / 2 - 1], to = met_end[k / 2];
-        list.resize(2 * (to - from));
-        const BoxQuery query(clipped(boxes_[begin_[level] + k], window_));
-        std::size_t count = 0;
-        for (std::size_t i = from; i < to; ++i) {
-          const std::uint32_t first = 2 * met[i], last = std::min(first + 1, size_[level] - 1);
-          for (std::uint32_t other = std::max(first, k); other <= last; ++other) {
-            list[count] = {level, other};
-            count += static_cast<std::size_t>(meet(query, boxes_[begin_[level] + other]) && !apart(level, k, other));
-          }
-        }
-        counts.boxes_tested += 2 * (to - from) + count;
-        count = keep_near(strips_[begin_[level] + k], {strips_.data(), begin_.data()}, list.data(), count);
-        for (std::size_t i = 0; i < count; ++i) met_below.push_back(list[i].index);
-        met_end_below[k] = static_cast<std::uint32_t>(met_below.size());
-      }
-      if (met_below.size() > most * size_[level]) return std::nullopt;
-      met.swap(met_below);
-      met_end.swap(met_end_below);
+  // The pairs that neither heights nor places along the chart tell apart; none when they or the comparisons are more
+  // than that many a leaf.
+  [[nodiscard]] std::optional<std::vector<LeafPair>> compare(const FoldChart& chart, std::size_t max_pairs,
+                                                             std::size_t max_tests, SearchCounts& counts) const {
+    constexpr std::size_t ahead = 3, line = 64;  // leaves of a window lie here and there in memory
+    Buffer<Charted> unsorted(leaves_.size()), charted;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < leaves_.size(); ++k) {
+      const Point* const later = tree_.leaf_points(leaves_[std::min(k + ahead, leaves_.size() - 1)]);
+      for (std::size_t i = 0; i <= leaf_size; i += line / sizeof(Point)) __builtin_prefetch(later + i);
+      unsorted[count].leaf = leaves_[k];
+      measure(leaves_[k], chart, unsorted[count].at);
+      count += unsorted[count].at.is_inside ? 1 : 0;
     }
+    sort_by_height(unsorted, count, charted);
     std::vector<LeafPair> found;
-    found.reserve(met.size());
-    for (std::uint32_t k = 0, i = 0; k < size_[0]; ++k) {
-      for (; i < met_end[k]; ++i) found.push_back({leaves_[k], leaves_[met[i]]});
+    std::size_t compared = 0;
+    bool is_bounded = true;
+    for (std::size_t k = 0; k < count && is_bounded; ++k) {
+      const Charted& one = charted[k];
+      if (!apart(one, one)) found.push_back({one.leaf, one.leaf});
+      std::size_t j = k + 1;
+      for (; j < count && charted[j].at.low <= one.at.high; ++j) {
+        const Charted& other = charted[j];
+        if (other.at.left > one.at.right || other.at.right < one.at.left) continue;
+        const bool in_order = one.leaf < other.leaf;
+        const Charted &first = in_order ? one : other, &second = in_order ? other : one;
+        if (!apart(first, second)) found.push_back({first.leaf, second.leaf});
+      }
+      compared += j - k;
+      is_bounded = found.size() <= max_pairs * leaves_.size() && compared <= max_tests * leaves_.size();
     }
+    counts.boxes_tested += leaves_.size() + compared;
+    if (!is_bounded) return std::nullopt;
     return found;
   }
 
-  // Nothing to find between the two: they are one monotone run.
-  [[nodiscard]] bool apart(std::uint32_t level, std::uint32_t one, std::uint32_t other) const {
-    const Bundle &a = bundles_[begin_[level] + one], &b = bundles_[begin_[level] + other];
-    if ((a.flags & b.flags) == 0) return false;
-    const bool wraps = a.first == 0 && b.last + 1 == tree_.leaves() && tree_.curve().closed;
-    return one == other || a.last + 1 == b.first || wraps;
+  // Nothing to find between the two: they are one run that is monotone along an axis or along the chart.
+  [[nodiscard]] bool apart(const Charted& first, const Charted& second) const {
+    const bool wraps = first.leaf == 0 && second.leaf + 1 == tree_.leaves() && tree_.curve().closed;
+    if (second.leaf - first.leaf > 1 && !wraps) return false;
+    if ((first.at.rises && second.at.rises) || (first.at.falls && second.at.falls)) return true;
+    return (tree_.flags({0, first.leaf}) & tree_.flags({0, second.leaf})) != 0;
   }
 
-  // In the middle of its leaves, where the fewest are cut; none if that does not part them.
+  // In the middle of its leaves, along the axis where the fewest are cut, as far as some of them show; none if that
+  // does not part them.
   [[nodiscard]] std::optional<std::array<Window, 2>> split() const {
-    constexpr std::size_t samples = 255;
-    std::optional<std::array<Window, 2>> best;
-    std::size_t best_size = leaves_.size() + leaves_.size() / 4;  // as many may be in both
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      std::vector<double> centres;
-      const std::size_t step = std::max<std::size_t>(1, leaves_.size() / samples);
-      for (std::size_t k = step / 2; k < leaves_.size(); k += step) {
-        const Box box = clipped(tree_.leaf_boxes()[leaves_[k]], window_);
-        centres.push_back(0.5 * box.lane[axis] - 0.5 * box.lane[axis + 2]);
+    std::array<double, 64> centres;
+    const std::size_t count = std::min(centres.size(), leaves_.size());
+    std::size_t axis = 0, least_cut = count + 1;
+    double middle = 0;
+    for (std::size_t candidate = 0; candidate < 2; ++candidate) {
+      for (std::size_t k = 0; k < count; ++k) {
+        const Box& box = tree_.leaf_boxes()[sample(k, count)];
+        centres[k] = 0.5 * std::max(box.lane[candidate], window_.lane[candidate]) -
+                     0.5 * std::max(box.lane[candidate + 2], window_.lane[candidate + 2]);
       }
-      const auto middle = centres.begin() + static_cast<std::ptrdiff_t>(centres.size() / 2);
-      std::nth_element(centres.begin(), middle, centres.end());
-      std::array<Box, 2> windows{window_, window_};
-      windows[0].lane[axis + 2] = -*middle;
-      windows[1].lane[axis] = *middle;
-      std::array<std::vector<std::uint32_t>, 2> in;
-      for (std::size_t k = 0; k < 2; ++k) {
-        in[k].reserve(leaves_.size());
-        const BoxQuery query(windows[k]);
-        for (const std::uint32_t leaf : leaves_) {
-          if (meet(query, tree_.leaf_boxes()[leaf])) in[k].push_back(leaf);
-        }
+      const auto half = centres.begin() + static_cast<std::ptrdiff_t>(count / 2);
+      std::nth_element(centres.begin(), half, centres.begin() + static_cast<std::ptrdiff_t>(count));
+      std::size_t cut = 0;
+      for (std::size_t k = 0; k < count; ++k) {
+        const Box& box = tree_.leaf_boxes()[sample(k, count)];
+        cut += box.lane[candidate] <= *half && -box.lane[candidate + 2] >= *half ? 1 : 0;
       }
-      const std::size_t size = in[0].size() + in[1].size();
-      if (std::max(in[0].size(), in[1].size()) > leaves_.size() * 4 / 5 || size >= best_size) continue;
-      best_size = size;
-      best.emplace(std::array<Window, 2>{Window(tree_, leaf_strips_, windows[0], std::move(in[0])),
-                                         Window(tree_, leaf_strips_, windows[1], std::move(in[1]))});
+      if (cut >= least_cut) continue;
+      least_cut = cut;
+      axis = candidate;
+      middle = *half;
     }
-    return best;
+    std::array<Box, 2> windows{window_, window_};
+    windows[0].lane[axis + 2] = -middle;
+    windows[1].lane[axis] = middle;
+    std::array<std::vector<std::uint32_t>, 2> in;
+    for (auto& leaves : in) leaves.resize(leaves_.size());
+    std::size_t before = 0, behind = 0;
+    for (const std::uint32_t leaf : leaves_) {
+      const Box& box = tree_.leaf_boxes()[leaf];
+      in[0][before] = in[1][behind] = leaf;
+      before += box.lane[axis] <= middle ? 1 : 0;
+      behind += -box.lane[axis + 2] >= middle ? 1 : 0;
+    }
+    if (std::max(before, behind) > leaves_.size() * 9 / 10 || before + behind > leaves_.size() * 3 / 2) return {};
+    in[0].resize(before);
+    in[1].resize(behind);
+    return std::array<Window, 2>{Window(tree_, windows[0], std::move(in[0])),
+                                 Window(tree_, windows[1], std::move(in[1]))};
   }
 
-  struct Bundle {
-    std::uint32_t first, last;  // leaf
-    std::uint8_t flags;         // MonotoneFlags, if it is one piece
-  };
   const BoxTree& tree_;
-  const Buffer<Strip>& leaf_strips_;
   Box window_;
   std::vector<std::uint32_t> leaves_;  // ascending
-  std::uint32_t levels_ = 0;
-  std::array<std::uint32_t, 32> begin_{}, size_{};
-  Buffer<Box> boxes_;
-  Buffer<Strip> strips_;
-  std::vector<Bundle> bundles_;
 };
 
 }  // namespace
 
 NearLeaves::NearLeaves(const BoxTree& tree, SearchCounts& counts) {
-  Buffer<Strip> strips(tree.leaves());
-  for_each_block(tree.leaves(), 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t leaf = begin; leaf < end; ++leaf) leaf_strip(tree.leaf_points(leaf), strips[leaf]);
-  });
   std::vector<std::uint32_t> leaves;
   leaves.reserve(tree.leaves());
   for (std::uint32_t k = 0; k < tree.leaves(); ++k) {
     if (!is_point(tree.leaf_boxes()[k])) leaves.push_back(k);
   }
-  const std::optional<std::vector<LeafPair>> pairs = Window(tree, strips, tree.box(), std::move(leaves)).search(counts);
+  const std::optional<std::vector<LeafPair>> pairs = Window(tree, tree.box(), std::move(leaves)).search(counts);
   is_complete_ = pairs.has_value();
   if (!is_complete_) return;
   begin_.resize(tree.leaves() + 1);

@@ -11,8 +11,8 @@
 
 namespace lober::detail {
 
-/// For each leaf the leaves from it on that it may meet, ascending; itself, unless it is one monotone run. Leaves of
-/// one point meet nothing.
+/// For each leaf the leaves from it on that it may meet in more than a common end, ascending; itself, unless it is one
+/// monotone run. Leaves of one point meet nothing.
 class NearLeaves {
  public:
   /// O(leaves log leaves) for folds side by side, parallel; the same for any number of threads.

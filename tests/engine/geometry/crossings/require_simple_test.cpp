@@ -105,6 +105,66 @@ TEST(RequireSimple, EndsSoonWhereEverythingMeets) {
   EXPECT_LT(seconds(400'000), 25 * seconds(50'000));
 }
 
+// Folds side by side, bent round half a turn, enough of them that windows are searched: out along every second one,
+// back along the next.
+constexpr std::size_t fold_pairs = 512, points_a_fold = 250;
+Points folded() {
+  Points points;
+  for (std::size_t k = 0; k < 2 * fold_pairs; ++k) {
+    const double radius = 2 - static_cast<double>(k) / static_cast<double>(2 * fold_pairs);
+    for (std::size_t j = 0; j < points_a_fold; ++j) {
+      const double angle =
+          3 * static_cast<double>(k % 2 == 0 ? j : points_a_fold - 1 - j) / static_cast<double>(points_a_fold);
+      points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+  }
+  points.push_back({0.9, -0.1});
+  points.push_back({2.1, -0.1});
+  return points;
+}
+
+// Defects at ends and in the middle of leaves, along folds and where they end.
+TEST(RequireSimple, FindsOneBadPlaceAmongFolds) {
+  const Points points = folded();
+  EXPECT_NO_THROW(require_simple(IndexedCurve(CurveView{points}), 1));
+  for (const std::size_t place :
+       {1U, 31U, 32U, 33U, 63U, 64U, 249U, 250U, 65536U, 131199U, 131200U, 200001U, 255998U}) {
+    const std::size_t k = place;
+    Points bad = points;
+    bad[k + 1] = bad[k - 1];
+    const NotSimpleError spike = not_simple(bad);
+    EXPECT_LE(spike.segment1, k) << "out and back at " << k;
+    bad = points;
+    std::swap(bad[k], bad[k + 1]);
+    if (k % points_a_fold != 0) {  // where a fold begins this is not a loop
+      const NotSimpleError loop = not_simple(bad);
+      EXPECT_NEAR(std::hypot(loop.at.x - points[k].x, loop.at.y - points[k].y), 0, 0.05) << "a small loop at " << k;
+    }
+    bad = points;
+    bad[k] = bad[k - 1];
+    EXPECT_NO_THROW(require_simple(IndexedCurve(CurveView{bad}), 1)) << "a point twice at " << k;
+    if (k > 2 * points_a_fold) {
+      // Onto the fold beside it: the one before, at the same angle.
+      const std::size_t j = k % points_a_fold, beside = k / points_a_fold * points_a_fold - 1 - j;
+      bad = points;
+      bad[k] = bad[beside];
+      const NotSimpleError touch = not_simple(bad);
+      EXPECT_LE(touch.segment1, beside);
+      EXPECT_NEAR(static_cast<double>(touch.segment2), static_cast<double>(k), 1);
+    }
+  }
+}
+
+// A turn by less than a right angle has nothing in common beyond its joint; by more, it may lie upon itself.
+TEST(RequireSimple, LooksAtJointsThatTurnBack) {
+  for (const double back : {0.0, 1e-300, 1e-17, 1e-3, 0.5}) {
+    // From (1, 1) on to (0, 0) and straight back along the same line, or off it by the least there is.
+    (void)not_simple({{1, 1}, {0, 0}, {1 - back, 1 - back}, {1 - back, -3}, {3, -3}});
+    EXPECT_NO_THROW(require_simple(
+        IndexedCurve(CurveView{Points{{1, 1}, {0, 0}, {0.5, std::nextafter(0.5, 0)}, {0.5, -3}, {3, -3}}}), 1));
+  }
+}
+
 TEST(RequireSimple, SkipsMonotoneRuns) {
   Points points(50000);
   for (std::size_t k = 0; k < points.size(); ++k) {
