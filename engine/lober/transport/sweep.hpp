@@ -87,9 +87,9 @@ struct Sweep {
 /// it moves, or an image of it, as long as its orbit is found from value to value. A row may have twice the defect that
 /// the local manifolds of that value by itself may have (LocalManifoldOptions::neighbour); areas by action agree to
 /// their errors. Where pips can be followed, a sweep of a dozen values or more takes less than a third of the
-/// evaluations of the map that separate values take; a value at which they come or go takes as many as by itself, or
-/// twice that. A zero takes about six orbits and one more tangle, which confirms it. Values and zeros are computed in
-/// parallel; the same bits for any number of threads. Throws Cancelled.
+/// evaluations of the map that separate values take; one at which they come or go about half or all of them. A zero
+/// takes about six orbits and one more tangle, which confirms it. Values and zeros are computed in parallel; the same
+/// bits for any number of threads. Throws Cancelled.
 [[nodiscard]] LOBER_API Sweep sweep(const Family& family, std::span<const double> values,
                                     const SweepOptions& options = {});
 

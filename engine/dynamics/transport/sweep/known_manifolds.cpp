@@ -63,8 +63,8 @@ const KnownManifold& with_past(const KnownManifold& known) {
 }  // namespace
 
 bool lies_apart(double offset, double step) {
-  constexpr double part = 0.25;
-  return std::fabs(offset) >= part * std::fabs(step) && std::fabs(offset - step) >= part * std::fabs(step);
+  const double shortest = shortest_past * std::fabs(step);
+  return std::fabs(offset) >= shortest && std::fabs(offset - step) >= shortest;
 }
 
 std::vector<double> interpolation_weights(std::span<const double> offsets, double at) {
