@@ -58,7 +58,7 @@ void sort_by_height(const Buffer<Charted>& from, std::size_t count, Buffer<Chart
   sorted.resize(count);
   for (std::size_t k = 0; k < count; ++k) sorted[end[step_of(from[k])]++] = from[k];
   for (std::size_t k = 0, begin = 0; k < count; begin = end[k++]) {
-    if (end[k] > begin + 1) std::sort(sorted.begin() + begin, sorted.begin() + end[k], is_lower);
+    if (end[k] > begin + 1) std::sort(sorted.data() + begin, sorted.data() + end[k], is_lower);
   }
 }
 
