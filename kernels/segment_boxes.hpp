@@ -32,10 +32,6 @@ struct alignas(64) SegmentBoxes {
   Slab slab;
 };
 
-/// Fills `slab` with that of the leaf_size + 1 points of a leaf that is normal to its chord; it holds them whatever
-/// rounding does to the products. Where that normal is not finite, it is all of the plane.
-void leaf_slab(const Point* points, Slab& slab);
-
 /// Bits of all segments of a leaf.
 inline constexpr std::uint32_t all_segments = ~std::uint32_t{0};
 static_assert(leaf_size == 32);

@@ -212,7 +212,7 @@ class SweepOfValues {
   }
 
   [[nodiscard]] Followed followed(std::size_t k, std::size_t from) const {
-    return followed_to(family_, values_[k], values_[from], known_[from]->on, &*known_[from]);
+    return followed_to(family_, values_[k], values_[from], *known_[from]);
   }
 
   void make_row(std::size_t k, std::size_t bip) {

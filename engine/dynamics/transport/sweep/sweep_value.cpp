@@ -11,16 +11,25 @@ namespace {
 // How often a step that is too large is halved.
 constexpr int max_halvings = 4;
 
-std::optional<KnownManifolds> manifolds_at(const Family& family, double value, const KnownManifolds& from,
-                                           double step) {
+// The result of a function at a value; nothing where the family has no such member, or that no such saddle. Who then
+// works the value out from nothing learns why.
+template <typename Function>
+auto found_by(const Function& function) -> std::optional<decltype(function())> {
   try {
-    const FamilyMember member = family(value);
-    return continued_manifolds(*member.map, member.connection, from, step);
+    return function();
   } catch (const Cancelled&) {
     throw;
-  } catch (const std::exception&) {  // who then works it out from nothing learns why
+  } catch (const std::exception&) {
     return std::nullopt;
   }
+}
+
+std::optional<KnownManifolds> manifolds_at(const Family& family, double value, const KnownManifolds& from,
+                                           double step) {
+  return found_by([&] {
+    const FamilyMember member = family(value);
+    return continued_manifolds(*member.map, member.connection, from, step);
+  });
 }
 
 std::optional<KnownManifolds> followed_manifolds(const Family& family, double from, const KnownManifolds& known,
@@ -51,19 +60,16 @@ class Way {
  private:
   [[nodiscard]] std::optional<KnownTurnstile> continued(const KnownTurnstile& known, double begin, double end) const {
     const double step = to_ - from_;
-    try {
-      const FamilyMember member = family_(end == 1 ? to_ : from_ + end * step);
-      const double part = (end - begin) * step;
-      KnownManifolds there = end == 1 ? last_
-                             : are_known_between(last_)
-                                 ? manifolds_between(last_, (end - 1) * step)
-                                 : continued_manifolds(*member.map, member.connection, known.on, part);
-      return continued_turnstile(*member.map, std::move(there), known, part);
-    } catch (const Cancelled&) {
-      throw;
-    } catch (const std::exception&) {  // the family has no such member, or that no such saddle
-      return std::nullopt;
-    }
+    return found_by([&] {
+             const FamilyMember member = family_(end == 1 ? to_ : from_ + end * step);
+             const double part = (end - begin) * step;
+             KnownManifolds there = end == 1 ? last_
+                                    : are_known_between(last_)
+                                        ? manifolds_between(last_, (end - 1) * step)
+                                        : continued_manifolds(*member.map, member.connection, known.on, part);
+             return continued_turnstile(*member.map, std::move(there), known, part);
+           })
+        .value_or(std::nullopt);
   }
 
   const Family& family_;
@@ -75,22 +81,18 @@ class Way {
 
 std::optional<KnownTurnstile> continued_to(const Family& family, double value, const KnownTurnstile& from,
                                            double step) {
-  try {
-    const FamilyMember member = family(value);
-    return continued_turnstile(*member.map, continued_manifolds(*member.map, member.connection, from.on, step), from,
-                               step);
-  } catch (const Cancelled&) {
-    throw;
-  } catch (const std::exception&) {  // who then works it out from nothing learns why
-    return std::nullopt;
-  }
+  return found_by([&] {
+           const FamilyMember member = family(value);
+           return continued_turnstile(*member.map, continued_manifolds(*member.map, member.connection, from.on, step),
+                                      from, step);
+         })
+      .value_or(std::nullopt);
 }
 
-Followed followed_to(const Family& family, double value, double from_value, const KnownManifolds& from,
-                     const KnownTurnstile* turnstile) {
-  Followed result{followed_manifolds(family, from_value, from, value, max_halvings), {}};
-  if (result.manifolds && turnstile)
-    result.turnstile = Way(family, from_value, value, *result.manifolds).followed(*turnstile, 0, 1, max_halvings);
+Followed followed_to(const Family& family, double value, double from_value, const KnownTurnstile& from) {
+  Followed result{followed_manifolds(family, from_value, from.on, value, max_halvings), {}};
+  if (result.manifolds)
+    result.turnstile = Way(family, from_value, value, *result.manifolds).followed(from, 0, 1, max_halvings);
   return result;
 }
 

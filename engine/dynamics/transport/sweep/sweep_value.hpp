@@ -26,9 +26,8 @@ struct Followed {
   std::optional<KnownTurnstile> turnstile;
 };
 
-/// The manifolds and the turnstile of a value from those of another one, in smaller steps where one is too large; from
-/// manifolds alone where there is no turnstile. Throws Cancelled.
-[[nodiscard]] Followed followed_to(const Family& family, double value, double from_value, const KnownManifolds& from,
-                                   const KnownTurnstile* turnstile);
+/// The manifolds and the turnstile of a value from those of another one, in smaller steps where one is too large.
+/// Throws Cancelled.
+[[nodiscard]] Followed followed_to(const Family& family, double value, double from_value, const KnownTurnstile& from);
 
 }  // namespace lober::detail

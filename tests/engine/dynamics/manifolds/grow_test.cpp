@@ -123,19 +123,28 @@ TEST(Grow, ImagesAreNotComputedTwice) {
   EXPECT_LE(static_cast<double>(grown.images), 1.15 * bare);
 }
 
+// The manifold that one thread grows, and any other number of threads to the bit.
+GrownManifold grown_by_any_threads(const PlanarMap& map, const LocalManifold& local, Branch branch,
+                                   const GrowthOptions& options) {
+  GrownManifold one = with_threads(1, [&] { return grow(map, local, branch, options); });
+  for (const int threads : {2, 7}) {
+    const GrownManifold other = with_threads(threads, [&] { return grow(map, local, branch, options); });
+    EXPECT_EQ(one.points, other.points);
+    EXPECT_EQ(one.parameters, other.parameters);
+    EXPECT_EQ(one.generation_begin, other.generation_begin);
+    EXPECT_EQ(one.diagnostics, other.diagnostics);
+    EXPECT_EQ(one.length, other.length);
+    EXPECT_EQ(one.images, other.images);
+    EXPECT_EQ(one.stop, other.stop);
+  }
+  return one;
+}
+
 TEST(Grow, SameBitsForAnyNumberOfThreads) {
   const HenonMap map(0.5);
   const LocalManifold local = local_manifold(map, {2.2, 2.2}, ManifoldSide::unstable);
   const GrowthOptions options{.tolerance = 1e-6, .iterates = 6, .box = Box::of({-5, -5}, {5, 5})};
-  const GrownManifold one = with_threads(1, [&] { return grow(map, local, Branch::minus, options); });
-  EXPECT_GT(one.points.size(), 10'000U);
-  for (const int threads : {2, 7}) {
-    const GrownManifold other = with_threads(threads, [&] { return grow(map, local, Branch::minus, options); });
-    EXPECT_EQ(one.points, other.points);
-    EXPECT_EQ(one.parameters, other.parameters);
-    EXPECT_EQ(one.diagnostics, other.diagnostics);
-    EXPECT_EQ(one.length, other.length);
-  }
+  EXPECT_GT(grown_by_any_threads(map, local, Branch::minus, options).points.size(), 10'000U);
 }
 
 // Outside of the box segments are long: of those that cross its edge only what lies inside counts.
@@ -254,7 +263,7 @@ TEST(Grow, LimitsEndSectionsAtTheSamePointForAnyNumberOfThreads) {
   const GrownManifold all = grow(map, local, Branch::plus, whole);
   ASSERT_GT(all.points.size(), 200'000U);
   const auto expect_prefix = [&](GrowthOptions options, GrowthStop stop) {
-    const GrownManifold one = with_threads(1, [&] { return grow(map, local, Branch::plus, options); });
+    GrownManifold one = grown_by_any_threads(map, local, Branch::plus, options);
     EXPECT_EQ(one.stop, stop);
     EXPECT_GT(one.points.size(), 100'000U);
     EXPECT_LT(one.points.size(), all.points.size());
@@ -262,15 +271,6 @@ TEST(Grow, LimitsEndSectionsAtTheSamePointForAnyNumberOfThreads) {
     const std::size_t alike = one.points.size() - 60'000;
     EXPECT_TRUE(
         std::equal(one.points.begin(), one.points.begin() + static_cast<std::ptrdiff_t>(alike), all.points.begin()));
-    for (const int threads : {2, 7}) {
-      const GrownManifold other = with_threads(threads, [&] { return grow(map, local, Branch::plus, options); });
-      EXPECT_EQ(other.points, one.points);
-      EXPECT_EQ(other.parameters, one.parameters);
-      EXPECT_EQ(other.generation_begin, one.generation_begin);
-      EXPECT_EQ(other.length, one.length);
-      EXPECT_EQ(other.images, one.images);
-      EXPECT_EQ(other.stop, one.stop);
-    }
     return one;
   };
   GrowthOptions options = whole;
