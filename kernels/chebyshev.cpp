@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 
 #include "kernels/elementary.hpp"
@@ -13,6 +14,21 @@ void chebyshev_points(std::span<const Point> coefficients, double centre, double
                       std::span<const double> parameters, std::span<Point> points) {
   kernels().chebyshev_points(coefficients.data(), coefficients.size(), centre, half_width, parameters.data(),
                              parameters.size(), points.data());
+}
+
+std::span<const Point> without_roundings(std::span<const Point> coefficients) {
+  double sum_x = 0, sum_y = 0;
+  for (const Point c : coefficients) {
+    sum_x += std::fabs(c.x);
+    sum_y += std::fabs(c.y);
+  }
+  const double rounding = std::numeric_limits<double>::epsilon() / 2;
+  std::size_t size = coefficients.size();
+  while (size > 1 && std::fabs(coefficients[size - 1].x) <= rounding * sum_x &&
+         std::fabs(coefficients[size - 1].y) <= rounding * sum_y) {
+    --size;
+  }
+  return coefficients.first(size);
 }
 
 void chebyshev_coefficients(std::span<const Point> points, std::span<Point> coefficients) {

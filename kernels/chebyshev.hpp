@@ -12,6 +12,10 @@ namespace lober::detail {
 void chebyshev_points(std::span<const Point> coefficients, double centre, double half_width,
                       std::span<const double> parameters, std::span<Point> points);
 
+/// The coefficients without those behind the last one that is larger than what rounding makes of all: half an ulp of
+/// the sum of their magnitudes. For |x| <= 1 each of the others changes the sum by no more than that.
+[[nodiscard]] std::span<const Point> without_roundings(std::span<const Point> coefficients);
+
 /// The coefficients of the polynomial of degree points.size() - 1 through `points`, taken at the parameters
 /// chebyshev_node(k, points.size()). O(n^2).
 void chebyshev_coefficients(std::span<const Point> points, std::span<Point> coefficients);

@@ -28,12 +28,13 @@ struct SegmentBounds {
   double sharp;       ///< curvature times length, radians
 };
 
-/// `count` segments, at most max_flagged, between points[0] and points[count]. A segment has neighbours: lengths[0] and
-/// gaps[0] are those before the first segment, and lengths[count + 1] and gaps[count + 1] behind the last one.
+/// `count` segments, at most max_flagged, between points[0] and points[count]. A segment has neighbours: lengths[0] is
+/// that of the segment before the first one, lengths[count + 1] of that behind the last one.
 struct SegmentRow {
   const Point* points;
+  const double* parameters;    ///< as the points
+  bool has_before, has_after;  ///< whether there are parameters[-1] and parameters[count + 1]
   const double* lengths;
-  const double* gaps;   ///< differences of the parameter
   const double* bends;  ///< curvatures at the points; negative at corners
   const double* parts;  ///< required ones
   std::size_t count;

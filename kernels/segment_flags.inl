@@ -19,8 +19,13 @@ inline void flag_outside(const Point* points, std::size_t count, const Box& box,
 inline std::int64_t flag_all_segments(const SegmentRow& row, const SegmentBounds& bounds,
                                       std::int64_t* __restrict flags) {
   std::int64_t outside[max_flagged + 1], uneven[max_flagged + 1];
+  double gaps[max_flagged + 2];  // as the lengths
+  const double* const parameters = row.parameters;
+  for (std::size_t k = 0; k < row.count; ++k) gaps[k + 1] = parameters[k + 1] - parameters[k];
+  gaps[0] = row.has_before ? parameters[0] - parameters[-1] : 0;
+  gaps[row.count + 1] = row.has_after ? parameters[row.count + 1] - parameters[row.count] : 0;
   flag_outside(row.points, row.count + 1, bounds.box, outside);
-  const double *lengths = row.lengths, *gaps = row.gaps, *bends = row.bends, *parts = row.parts;
+  const double *lengths = row.lengths, *bends = row.bends, *parts = row.parts;
   for (std::size_t k = 0; k <= row.count; ++k) {
     const double a = lengths[k] * gaps[k + 1], b = lengths[k + 1] * gaps[k];
     const double longer = lengths[k] > lengths[k + 1] ? lengths[k] : lengths[k + 1];

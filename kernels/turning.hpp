@@ -21,8 +21,9 @@ void turns_along(const Point* points, std::size_t segments, double* lengths, dou
 struct PartsAsked {
   double tolerance, max_length, max_parts;
 };
-/// Into how many parts, a real number, segments of these lengths and curvatures have to be cut; `max_parts` where that
-/// is not a number.
+/// Into how many parts, a real number, `count` segments of these lengths have to be cut, where curvatures[k] and
+/// curvatures[k + 1] are those at the ends of segment k, negative ones as if there were none; `max_parts` where that is
+/// not a number.
 void parts_needed(const double* lengths, const double* curvatures, std::size_t count, PartsAsked asked, double* parts);
 
 }  // namespace lober::detail

@@ -39,7 +39,9 @@ inline void all_parts_needed(const double* lengths, const double* curvatures, st
                              double* parts) {
   const double per_tolerance = 1 / (8 * asked.tolerance), per_longest = 1 / asked.max_length;
   for (std::size_t k = 0; k < count; ++k) {
-    const double by_bulge = std::sqrt(curvatures[k] * lengths[k] * lengths[k] * per_tolerance);
+    const double larger = curvatures[k] > curvatures[k + 1] ? curvatures[k] : curvatures[k + 1];
+    const double curvature = larger > 0 ? larger : 0.0;
+    const double by_bulge = std::sqrt(curvature * lengths[k] * lengths[k] * per_tolerance);
     const double by_length = lengths[k] * per_longest;
     const double needed = by_bulge > by_length ? by_bulge : by_length;
     parts[k] = needed < asked.max_parts ? needed : asked.max_parts;

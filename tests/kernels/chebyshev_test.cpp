@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cmath>
+#include <initializer_list>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -65,6 +67,21 @@ TEST(Chebyshev, CoefficientsGiveTheirPointsBack) {
     EXPECT_NEAR(points[k].x, given[k].x, 1e-14);
     EXPECT_NEAR(points[k].y, given[k].y, 1e-14);
   }
+}
+
+TEST(Chebyshev, RoundingsBehindTheLastLargeCoefficientGo) {
+  const auto size = [](std::initializer_list<Point> coefficients) {
+    const std::vector<Point> all(coefficients);
+    const std::span<const Point> left = without_roundings(all);
+    EXPECT_TRUE(left.empty() || left.data() == all.data());
+    return left.size();
+  };
+  EXPECT_EQ(size({}), 0U);
+  EXPECT_EQ(size({{0, 0}, {0, 0}}), 1U);
+  EXPECT_EQ(size({{1, 1}, {1e-17, 0}, {0, 1e-17}}), 1U);
+  EXPECT_EQ(size({{1, 1}, {1e-17, 0}, {0, 3e-16}, {1e-17, 0}}), 3U);
+  EXPECT_EQ(size({{1, 1e-9}, {1e-17, 0}, {0, 1e-17}}), 3U);  // each coordinate has a size of its own
+  EXPECT_EQ(size({{1, 1}, {0, std::numeric_limits<double>::quiet_NaN()}}), 2U);
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ constexpr InstructionSet sets[] = {InstructionSet::baseline, InstructionSet::avx
 
 struct Row {
   std::vector<Point> points;
-  std::vector<double> lengths, gaps, bends, parts;
+  std::vector<double> parameters, lengths, bends, parts;
+  [[nodiscard]] double gap(std::size_t k) const { return parameters[k + 1] - parameters[k]; }
 };
 
 // Numbers of every order, corners, points outside of the box and such without coordinates.
@@ -30,8 +31,9 @@ Row random_row(std::size_t count, std::mt19937_64& random) {
   row.points[random() % (count + 1)].y = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < count + 2; ++k) {
     row.lengths.push_back(random() % 9 == 0 ? 0 : std::exp(3 * unit(random) - 3));
-    row.gaps.push_back(std::exp(unit(random)));
   }
+  row.parameters.push_back(unit(random));
+  for (std::size_t k = 0; k < count + 2; ++k) row.parameters.push_back(row.parameters.back() + std::exp(unit(random)));
   for (std::size_t k = 0; k <= count; ++k) row.bends.push_back(random() % 4 == 0 ? -1 : 5 * unit(random));
   for (std::size_t k = 0; k < count; ++k) row.parts.push_back(6 * unit(random));
   return row;
@@ -46,15 +48,15 @@ TEST(SegmentFlags, AreThoseOfTheirDefinition) {
     for (const std::size_t count : {1U, 2U, 7U, 8U, 9U, 100U, 255U, 256U}) {
       const Row row = random_row(count, random);
       std::vector<std::int64_t> flags(count);
-      const std::int64_t any = flag_segments(
-          {row.points.data(), row.lengths.data(), row.gaps.data(), row.bends.data(), row.parts.data(), count}, bounds,
-          flags.data());
+      const std::int64_t any = flag_segments({row.points.data(), &row.parameters[1], true, true, row.lengths.data(),
+                                              row.bends.data(), row.parts.data(), count},
+                                             bounds, flags.data());
       const auto inside = [&](std::size_t k) {
         const Point p = row.points[k];
         return p.x >= -0.5 && p.x <= 1.5 && p.y >= -0.25 && p.y <= 1.75;
       };
       const auto uneven = [&](std::size_t k) {
-        const double a = row.lengths[k] / row.gaps[k], b = row.lengths[k + 1] / row.gaps[k + 1];
+        const double a = row.lengths[k] / row.gap(k), b = row.lengths[k + 1] / row.gap(k + 1);
         const bool is_seen = std::max(row.lengths[k], row.lengths[k + 1]) >= 0.1;
         return row.bends[k] >= 0 && is_seen && std::max(a, b) > 4 * std::min(a, b);
       };

@@ -64,7 +64,8 @@ TEST(Turning, ManyAtOnceHaveTheBitsOfOneByOne) {
 TEST(Turning, PartsOfACircle) {
   const double curvature = 0.5;
   const std::vector<double> lengths{0.1, 0.2, 0.4, 4, std::numeric_limits<double>::quiet_NaN()};
-  const std::vector<double> curvatures(lengths.size(), curvature);
+  // The larger of both ends counts.
+  const std::vector<double> curvatures{-1, curvature, 0.25, curvature, curvature, curvature};
   std::vector<double> parts(lengths.size());
   const double tolerance = 0.01 / 16;
   parts_needed(lengths.data(), curvatures.data(), lengths.size(), {tolerance, 1e9, 16}, parts.data());

@@ -98,8 +98,9 @@ Samples ManifoldGrowth::carried(const Guide& guide, int generation, double end, 
     size = 1 + static_cast<std::size_t>(std::lower_bound(guide.parameters.begin(), guide.parameters.end(), end) -
                                         guide.parameters.begin());
   }
-  Samples samples{{guide.parameters.begin(), guide.parameters.begin() + static_cast<std::ptrdiff_t>(size)},
-                  {guide.points.begin(), guide.points.begin() + static_cast<std::ptrdiff_t>(size)}};
+  Samples samples{Buffer<double>(size), Buffer<Point>(size)};
+  std::copy_n(guide.parameters.data(), size, samples.parameters.data());
+  std::copy_n(guide.points.data(), size, samples.points.data());
   if (ends_within) {
     samples.parameters.back() = end;
     image(generation - 1)({&end, 1}, {&samples.points.back(), 1});
@@ -121,6 +122,7 @@ Trace ManifoldGrowth::traced_section(const Guide& guide, int generation, double 
   options.spent = [&] { return map_work() > options_.max_work; };
   const auto steps = static_cast<std::uint64_t>(generation) * static_cast<std::uint64_t>(std::abs(steps_));
   options.evaluated = [&](std::size_t evaluations) { counted(evaluations * steps); };
+  options.images_are_dear = are_dear(map_, steps);
   const auto last = static_cast<std::uint32_t>(samples.points.size() - 1);
   return traced(std::move(samples), {0, last}, image(generation), options);
 }
@@ -186,7 +188,7 @@ std::vector<Samples> ManifoldGrowth::appended_together(std::span<const Guide> gu
       cut_back_to(before);
       throw Cancelled();
     }
-    sections.push_back(std::move(slot.trace.samples));
+    sections.push_back(kept_as_guide(std::move(slot.trace.samples), generation));
     const std::scoped_lock lock(guard);
     appended = so_far();
   };

@@ -46,12 +46,13 @@ void close(CurveImage& image, bool ends_have_images) {
 
 // Each curve of a sequence in turn: the points of one, carried on, show where the next one needs points. `at` gives
 // curve k at parameters, `onward` turns points of curve k - 1 into those of curve k; a point of curve k costs
-// `steps(k)` steps of the map. `finished` takes each curve and says whether to go on.
+// `steps(k)` steps of the map, where there is one. `finished` takes each curve and says whether to go on.
 template <typename Steps, typename Finished>
 void trace_in_turn(const ImageOptions& given, bool closed, Samples guide, std::vector<std::uint32_t> kept,
                    const CurveSequence& at, const CurveSequence& onward, const Steps& steps, const Finished& finished,
-                   std::size_t together = batch, std::function<bool()> spent = {}) {
+                   const PlanarMap* map = nullptr, std::function<bool()> spent = {}) {
   TraceOptions options = options_for_tracing(given, guide);
+  const std::size_t together = map != nullptr ? std::max(batch, map->batch()) : batch;
   options.batch = together;
   options.spent = std::move(spent);
   std::uint64_t images = 0;
@@ -64,6 +65,7 @@ void trace_in_turn(const ImageOptions& given, bool closed, Samples guide, std::v
       if (given.progress && !given.progress({done, 0, 0, images})) throw Cancelled();
     };
     options.evaluated = [&](std::size_t evaluations) { count(evaluations, steps(done)); };
+    options.images_are_dear = map == nullptr || are_dear(*map, static_cast<std::uint64_t>(done));
     Trace trace = traced(std::move(guide), std::move(kept), curve, options);
     CurveImage result;
     result.images = images;
@@ -109,7 +111,7 @@ void trace_images(const PlanarMap& map, int direction, const ImageOptions& given
   const auto trace_all = [&] {
     trace_in_turn(
         limited, closed, std::move(guide), std::move(kept), at, onward, [](int done) { return done; }, count_finished,
-        std::max(batch, map.batch()), spent);
+        &map, spent);
   };
   if (!completes(trace_all, spent)) {
     CurveImage missing;

@@ -430,7 +430,7 @@ Point LocalManifold::at(double s) const {
 }
 
 void LocalManifold::points_at(std::span<const double> parameters, std::span<Point> points) const {
-  chebyshev_points(coefficients, 0, reach, parameters, points);
+  chebyshev_points(without_roundings(coefficients), 0, reach, parameters, points);
 }
 
 Point LocalManifold::slope(double s) const {

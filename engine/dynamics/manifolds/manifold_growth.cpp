@@ -10,6 +10,7 @@
 #include "engine/base/work_limit.hpp"
 #include "engine/dynamics/manifolds/outcome.hpp"
 #include "engine/dynamics/maps/plane.hpp"
+#include "kernels/chebyshev.hpp"
 #include "kernels/elementary.hpp"
 #include "kernels/point.hpp"
 #include "kernels/segment_flags.hpp"
@@ -150,7 +151,7 @@ void ManifoldGrowth::grow_piece() {
     }
     append(*trace, generation);
     out_of_points = trace->out_of_points;
-    sections.push_back(std::move(trace->samples));
+    sections.push_back(kept_as_guide(std::move(trace->samples), generation));
   }
   if (known > 0) stretched_ = static_cast<double>(result_.points.size() - before.points) / static_cast<double>(known);
   if (part == 0) ++generations_;
@@ -186,16 +187,24 @@ void ManifoldGrowth::cut_back_to(const Size& before) {
   cut_diagnostics(result_.diagnostics, before.points > 0 ? before.points - 1 : 0);
 }
 
+// Whether the generation goes on, and how long it is, are seen before its samples may be dropped: those of the last one
+// show the way for none, and their memory serves the next section.
+Samples ManifoldGrowth::kept_as_guide(Samples samples, int generation) {
+  goes_on_ = goes_on_ || is_alive(samples);
+  add_to_generation(samples);
+  return generation < limit_ ? std::move(samples) : Samples{};
+}
+
 void ManifoldGrowth::end_generation() {
-  short_generations_ = is_short() ? short_generations_ + 1 : 0;
-  const auto goes_on = [&](const std::vector<Samples>& sections) {
-    return std::any_of(sections.begin(), sections.end(), [&](const Samples& samples) { return alive(samples); });
-  };
-  if (std::none_of(current_.begin(), current_.end(), goes_on)) {
+  const bool is_short = generation_length_ < options_.tolerance;
+  short_generations_ = is_short ? short_generations_ + 1 : 0;
+  if (!goes_on_) {
     stop_ = GrowthStop::failed;
   } else if (short_generations_ >= 2) {
     stop_ = GrowthStop::ended;
   }
+  goes_on_ = false;
+  generation_length_ = 0;
   previous_ = std::exchange(current_, {});
 }
 
@@ -259,9 +268,7 @@ std::vector<std::size_t> ManifoldGrowth::refine(std::span<const std::uint32_t> s
 
 CurveFunction ManifoldGrowth::image(int generation) const {
   return [this, generation](std::span<const double> parameters, std::span<Point> points) {
-    std::vector<double> on_side(parameters.begin(), parameters.end());
-    for (double& parameter : on_side) parameter *= side_;
-    local_.points_at(on_side, points);
+    chebyshev_points(without_roundings(local_.coefficients), 0, side_ * local_.reach, parameters, points);
     if (generation > 0) map_.iterate(points, generation * steps_);
   };
 }
@@ -332,24 +339,17 @@ void ManifoldGrowth::add_length(std::size_t begin) {
 }
 
 // Whether any of the curve is left to grow.
-bool ManifoldGrowth::alive(const Samples& samples) const {
+bool ManifoldGrowth::is_alive(const Samples& samples) const {
   return std::any_of(samples.points.begin(), samples.points.end(),
                      [&](Point point) { return is_finite(point) && meet(Box::of(point, point), range_); });
 }
 
-// Whether this generation is shorter than the tolerance; most show after a few segments that they are not.
-bool ManifoldGrowth::is_short() const {
-  double length = 0;
-  for (const std::vector<Samples>& sections : current_) {
-    for (const Samples& samples : sections) {
-      for (std::size_t k = 0; k + 1 < samples.points.size(); ++k) {
-        const Point a = samples.points[k], b = samples.points[k + 1];
-        if (is_finite(a) && is_finite(b) && meet(Box::of(a, b), range_)) length += distance(a, b);
-        if (length >= options_.tolerance) return false;
-      }
-    }
+// As far as it takes to see that the generation is not shorter than the tolerance: a few segments, most often.
+void ManifoldGrowth::add_to_generation(const Samples& samples) {
+  for (std::size_t k = 0; k + 1 < samples.points.size() && generation_length_ < options_.tolerance; ++k) {
+    const Point a = samples.points[k], b = samples.points[k + 1];
+    if (is_finite(a) && is_finite(b) && meet(Box::of(a, b), range_)) generation_length_ += distance(a, b);
   }
-  return true;
 }
 
 }  // namespace lober::detail

@@ -91,8 +91,9 @@ class ManifoldGrowth {
   void append(const Trace& trace, int generation);
   void lengths_behind(std::size_t k, std::size_t count, double* lengths) const;
   void add_length(std::size_t begin);
-  [[nodiscard]] bool alive(const Samples& samples) const;
-  [[nodiscard]] bool is_short() const;
+  [[nodiscard]] Samples kept_as_guide(Samples samples, int generation);
+  [[nodiscard]] bool is_alive(const Samples& samples) const;
+  void add_to_generation(const Samples& samples);
 
   const PlanarMap& map_;
   const LocalManifold& local_;
@@ -112,7 +113,9 @@ class ManifoldGrowth {
   std::size_t generations_ = 0;  // begun
   // The sections in which each piece of the generation before and of this one was traced; parameters > 0.
   std::vector<std::vector<Samples>> previous_, current_;
-  double stretched_ = 1;  // points of the piece that was grown last for each of its guides
+  double stretched_ = 1;          // points of the piece that was grown last for each of its guides
+  bool goes_on_ = false;          // whether any of this generation is left to grow
+  double generation_length_ = 0;  // up to the tolerance; no more is asked
   int short_generations_ = 0;
   GrowthStop stop_ = GrowthStop::iterates;
   double points_needed_ = 0;

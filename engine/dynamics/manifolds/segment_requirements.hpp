@@ -2,6 +2,7 @@
 // dynamics/).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -41,7 +42,7 @@ class SegmentRequirements {
     const std::size_t k = number - begin_;
     return {number,
             length_[k + 1],
-            curvature_[k],
+            std::max({bend_[k], bend_[k + 1], 0.0}),
             required_parts_[k],
             (flags_[k] & unknown_segment) != 0,
             (flags_[k] & uneven_segment) != 0};
@@ -53,7 +54,8 @@ class SegmentRequirements {
  private:
   std::size_t begin_ = 0;
   std::array<double, most + 2> length_;  // from the segment before the first to the one behind the last
-  std::array<double, most> curvature_, required_parts_;
+  std::array<double, most + 1> bend_;    // at their points; negative at corners
+  std::array<double, most> required_parts_;
   std::array<std::int64_t, most> flags_;
 };
 

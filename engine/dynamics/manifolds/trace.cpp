@@ -20,6 +20,8 @@ namespace {
 constexpr double reserve = 1.08;
 // Points lie by so much, as a fraction, more or less densely, where that lets a point of the guide stay.
 constexpr double max_stretching = 0.04;
+// Known images are not left out where all others are this many times as many.
+constexpr std::size_t few_known = 64;
 // Where the map fails on one side, the edge is sought to this fraction of the range of the parameter.
 constexpr double edge_resolution = 1e-7;
 constexpr std::size_t chunk = std::size_t{1} << 16;  // evaluations between two reports of progress
@@ -49,13 +51,20 @@ class Tracer {
 
   Trace run() {
     verdicts_.assign(segments(), open);
+    required_.resize(segments());
+    const auto by_guide = [&](std::size_t first, std::size_t last, const auto& requirements) {
+      mark_fine(first, last);
+      for (std::size_t k = first; k < last; ++k) required_[k] = bounded(requirements.required_parts(k) * reserve, k);
+    };
+    const auto by_tolerance = [&](std::size_t first, std::size_t last, const auto&) { mark_fine(first, last); };
     while (rounds_ < options_.max_rounds &&
-           insert_where(against_guide, [&](const TracedSegment& s) { return guided(s); })) {
+           insert_where(against_guide, by_guide, [&](const TracedSegment& s) { return guided(s); })) {
     }
     if (!abandoned()) resample_evenly();
+    required_.clear();
     verdicts_.assign(segments(), open);
     while (!abandoned() && rounds_ < options_.max_rounds &&
-           insert_where(against_tolerance, [&](const TracedSegment& s) { return judged(s); })) {
+           insert_where(against_tolerance, by_tolerance, [&](const TracedSegment& s) { return judged(s); })) {
     }
     if (!abandoned()) collect_diagnostics();
     trace_.samples = std::move(samples_);
@@ -130,8 +139,12 @@ class Tracer {
     return std::max(2U, allowed(segment, std::min(times_too_long(a, b), 8.0)));
   }
 
-  [[nodiscard]] std::uint32_t parts_for_guide(const TracedSegment& segment) const {
-    const Kind what = kind(segment.number);
+  // Parts of a segment, as far as parameters can be told apart.
+  [[nodiscard]] double bounded(double parts, std::size_t segment) const {
+    return std::min(parts, gap(segment) / std::max(options_.min_spacing, 1e-300));
+  }
+
+  [[nodiscard]] std::uint32_t parts_for_guide(const TracedSegment& segment, Kind what) const {
     if (what == Kind::edge) return 2;
     if (what == Kind::beside) return parts_beside(segment);
     if (what != Kind::ordinary) return 1;
@@ -167,16 +180,19 @@ class Tracer {
   }
 
   // Sets the verdicts on segments that need no more than one part.
-  [[nodiscard]] auto mark_fine() {
-    return [this](std::size_t first, std::size_t last, const SegmentRequirements&) {
-      std::fill(&verdicts_[first], &verdicts_[last - 1] + 1, fine);
-    };
-  }
+  void mark_fine(std::size_t first, std::size_t last) { std::fill(&verdicts_[first], &verdicts_[last - 1] + 1, fine); }
 
-  // Parts for the guide and for the tolerance; where one is enough, or the end, the verdict is set.
+  // Parts for the guide and for the tolerance; where one is enough, or the end, the verdict is set. For the guide, what
+  // the segment requires as well.
   [[nodiscard]] std::uint32_t guided(const TracedSegment& segment) {
-    const std::uint32_t parts = parts_for_guide(segment);
+    const Kind what = kind(segment.number);
+    const std::uint32_t parts = parts_for_guide(segment, what);
     if (parts == 1) verdicts_[segment.number] = fine;
+    // Outside the box nothing is asked for: the guide itself, simplified.
+    const double required = what == Kind::ordinary                       ? segment.required_parts * reserve
+                            : what == Kind::edge || what == Kind::beside ? 1
+                                                                         : 0.5;
+    required_[segment.number] = bounded(required, segment.number);
     return parts;
   }
   [[nodiscard]] std::uint32_t judged(const TracedSegment& segment) {
@@ -186,21 +202,29 @@ class Tracer {
     return parts;
   }
 
-  // Images of parameters that are not known yet, chunk by chunk.
-  template <typename Parameter, typename Result>
-  void evaluate(std::size_t size, const Parameter& parameter, const Result& result) const {
+  // `size` evaluations: evaluated(first, last) takes a batch of them. Counted chunk by chunk.
+  template <typename Evaluated>
+  void in_chunks(std::size_t size, const Evaluated& evaluated) const {
     for (std::size_t begin = 0; begin < size; begin += chunk) {
       const std::size_t count = std::min(chunk, size - begin);
       for_each_block(count, options_.batch, [&](std::size_t first, std::size_t last) {
-        Buffer<double> parameters(last - first);
-        Buffer<Point> points(last - first);
-        for (std::size_t k = first; k < last; ++k) parameters[k - first] = parameter(begin + k);
-        function_(parameters, points);
+        evaluated(begin + first, begin + last);
         if (options_.spent && options_.spent()) throw Cancelled();
-        for (std::size_t k = first; k < last; ++k) result(begin + k, points[k - first]);
       });
       if (options_.evaluated) options_.evaluated(count);
     }
+  }
+
+  // Images of parameters that are not known yet.
+  template <typename Parameter, typename Result>
+  void evaluate(std::size_t size, const Parameter& parameter, const Result& result) const {
+    in_chunks(size, [&](std::size_t first, std::size_t last) {
+      Buffer<double> parameters(last - first);
+      Buffer<Point> points(last - first);
+      for (std::size_t k = first; k < last; ++k) parameters[k - first] = parameter(k);
+      function_(parameters, points);
+      for (std::size_t k = first; k < last; ++k) result(k, points[k - first]);
+    });
   }
 
   // A segment, and the number of points to put into it.
@@ -209,8 +233,8 @@ class Tracer {
   };
 
   // The segments that are open and need more parts than one; the others get their verdicts.
-  template <typename Parts>
-  [[nodiscard]] Buffer<Cut> cuts(std::int64_t flags, const Parts& parts) {
+  template <typename Plain, typename Parts>
+  [[nodiscard]] Buffer<Cut> cuts(std::int64_t flags, const Plain& plain, const Parts& parts) {
     std::vector<Buffer<Cut>> found((segments() + pass_grain - 1) / pass_grain);
     for_each_block(segments(), pass_grain, [&](std::size_t first, std::size_t last) {
       Buffer<Cut>& here = found[first / pass_grain];
@@ -219,7 +243,7 @@ class Tracer {
         begin = static_cast<std::size_t>(std::find(verdicts + begin, verdicts + last, open) - verdicts);
         end = begin;
         while (end < last && verdicts[end] == open) ++end;
-        for_segments(begin, end, flags, mark_fine(), [&](const TracedSegment& segment) {
+        for_segments(begin, end, flags, plain, [&](const TracedSegment& segment) {
           const std::uint32_t more = parts(segment) - 1;
           if (more != 0) here.push_back({static_cast<std::uint32_t>(segment.number), more});
         });
@@ -237,9 +261,9 @@ class Tracer {
   }
 
   // One round: false when there was nothing to insert, or max_points is reached.
-  template <typename Parts>
-  bool insert_where(std::int64_t flags, const Parts& parts) {
-    const Buffer<Cut> broken = cuts(flags, parts);
+  template <typename Plain, typename Parts>
+  bool insert_where(std::int64_t flags, const Plain& plain, const Parts& parts) {
+    const Buffer<Cut> broken = cuts(flags, plain, parts);
     if (broken.empty()) return false;
     const auto begin = running_sums(broken.size(), [&](std::size_t k) { return broken[k].points; });
     if (samples_.points.size() + begin[broken.size()] > options_.max_points) {
@@ -281,6 +305,9 @@ class Tracer {
     }
     // Segments near a new point are judged again.
     verdicts_ = with_inserted(std::span<const Verdict>(verdicts_), insertions, [](const Insertion&) { return open; });
+    if (!required_.empty()) {
+      required_ = with_inserted(std::span<const double>(required_), insertions, [](const Insertion&) { return 0.0; });
+    }
     for (std::size_t k = 0; k < insertions.size(); ++k) {
       const std::size_t at = insertions[k].segment + k;  // index of the part before the new point
       for (std::size_t j = at > 1 ? at - 2 : 0; j < std::min(at + 4, segments()); ++j) verdicts_[j] = open;
@@ -291,6 +318,7 @@ class Tracer {
     samples_.points.resize(size);
     samples_.parameters.resize(size);
     verdicts_.resize(size - 1);
+    if (!required_.empty()) required_.resize(size - 1);
     while (!kept_.empty() && kept_.back() >= size - 1) kept_.pop_back();
     kept_.push_back(static_cast<std::uint32_t>(size - 1));
   }
@@ -312,45 +340,23 @@ class Tracer {
 
   // The points of the guide give way to points that are spaced evenly by `required`, but for those that are kept.
   void resample_evenly() {
-    Buffer<double> required(segments());
-    for_each_block(segments(), pass_grain, [&](std::size_t first, std::size_t last) {
-      const double spacing = std::max(options_.min_spacing, 1e-300);
-      const auto plain = [&](std::size_t from, std::size_t to, const SegmentRequirements& requirements) {
-        for (std::size_t k = from; k < to; ++k) {
-          required[k] = std::min(requirements.required_parts(k) * reserve, gap(k) / spacing);
-        }
-      };
-      for_segments(first, last, outside_segment, plain, [&](const TracedSegment& segment) {
-        const Kind what = kind(segment.number);
-        // Outside the box nothing is asked for: the guide itself, simplified.
-        double parts = what == Kind::ordinary                       ? segment.required_parts * reserve
-                       : what == Kind::edge || what == Kind::beside ? 1
-                                                                    : 0.5;
-        required[segment.number] = std::min(parts, gap(segment.number) / spacing);
-      });
-    });
-    end_by_length(required);
+    end_by_length();
     if (abandoned()) return;
     std::vector<std::uint32_t> known;
-    const Buffer<double> index = new_indices(required, known);
+    const Buffer<double> index = new_indices(known);
     const auto size = static_cast<std::size_t>(index.back()) + 1;
     Samples even{Buffer<double>(size), Buffer<Point>(size)};
-    for_each_block(segments(), pass_grain, [&](std::size_t first, std::size_t last) {
-      fill_segments(first, last, required, index, even.parameters);
-    });
+    for_each_block(segments(), pass_grain,
+                   [&](std::size_t first, std::size_t last) { fill_segments(first, last, index, even.parameters); });
     for (std::uint32_t& k : kept_) k = static_cast<std::uint32_t>(index[k]);
-    for (std::uint32_t& k : known) {
-      const auto number = static_cast<std::uint32_t>(index[k]);
-      even.points[number] = samples_.points[k];
-      even.parameters[number] = samples_.parameters[k];
-      k = number;
-    }
-    evaluate_between(known, even);
+    for (const std::uint32_t k : known) even.parameters[static_cast<std::size_t>(index[k])] = samples_.parameters[k];
+    evaluate_between(known, index, even);
+    for (const std::uint32_t k : known) even.points[static_cast<std::size_t>(index[k])] = samples_.points[k];
     samples_ = std::move(even);
   }
 
   // Cuts the part beyond the length asked for. Chords are shorter than the curve, so enough remains.
-  void end_by_length(Buffer<double>& required) {
+  void end_by_length() {
     if (options_.max_total_length < std::numeric_limits<double>::infinity()) {
       double length = 0;
       std::size_t k = 0;
@@ -363,29 +369,27 @@ class Tracer {
     }
     double points = 1 + static_cast<double>(kept_.size());
     if (!options_.cut) {
-      for (std::size_t k = 0; k < segments(); ++k) points += required[k];
+      for (const double parts : required_) points += parts;
       if (points > static_cast<double>(options_.max_points)) {
         trace_.out_of_points = true;
         trace_.points_needed = points;
       }
-      required.resize(segments());
       return;
     }
     for (std::size_t k = 0; k < segments(); ++k) {
-      points += required[k];
+      points += required_[k];
       if (points > static_cast<double>(options_.max_points)) {
         trace_.out_of_points = true;
         truncate(std::max<std::size_t>(k, 1) + 1);
         break;
       }
     }
-    required.resize(segments());
   }
 
   // The index of each point of the guide among the new points, not whole in general: kept ones get whole numbers, and
-  // others too where that takes little stretching, so that their images need not be computed again. `known` receives
-  // the numbers of both.
-  [[nodiscard]] Buffer<double> new_indices(const Buffer<double>& required, std::vector<std::uint32_t>& known) const {
+  // where images are dear others too, if that takes little stretching, so that these need not be computed again.
+  // `known` receives the numbers of both.
+  [[nodiscard]] Buffer<double> new_indices(std::vector<std::uint32_t>& known) const {
     Buffer<double> index(samples_.points.size());
     double begin = 0;
     known.assign(1, 0);
@@ -393,8 +397,9 @@ class Tracer {
     double sum = 0;
     for (std::size_t k = 0, j = 1; k + 1 < index.size(); ++k) {
       index[k] = sum;
-      sum += required[k];
+      sum += required_[k];
       const bool stays = k + 1 == kept_[j];
+      if (!stays && !options_.images_are_dear) continue;
       if (stays) ++j;
       const double parts = std::max(1.0, whole_number(stays ? sum + one_below : sum + 0.5));
       if (!stays && !(std::fabs(parts - sum) <= max_stretching * sum)) continue;
@@ -411,29 +416,31 @@ class Tracer {
 
   // The new points whose numbers fall into segments first to last of the guide. The density varies linearly along a
   // segment, from that around its first end to that around the other; next to corners it is the segment's own.
-  void fill_segments(std::size_t first, std::size_t last, const Buffer<double>& required, const Buffer<double>& index,
+  void fill_segments(std::size_t first, std::size_t last, const Buffer<double>& index,
                      Buffer<double>& parameters) const {
     std::array<double, max_graded + 1> around;
     for (std::size_t begin = first, end = first; begin < last; begin = end) {
       end = std::min(begin + max_graded, last);
       for (std::size_t k = begin; k <= end; ++k) {
-        around[k - begin] = k > 0 && k < segments() ? (required[k - 1] + required[k]) / (gap(k - 1) + gap(k)) : -1;
+        around[k - begin] = k > 0 && k < segments() ? (required_[k - 1] + required_[k]) / (gap(k - 1) + gap(k)) : -1;
       }
       const auto inner = corners();
       for (auto k = std::lower_bound(inner.begin(), inner.end(), begin); k != inner.end() && *k <= end; ++k)
         around[*k - begin] = -1;
-      place_graded({&samples_.parameters[begin], &index[begin], &required[begin], around.data(), end - begin},
+      place_graded({&samples_.parameters[begin], &index[begin], &required_[begin], around.data(), end - begin},
                    parameters.data());
     }
   }
 
-  // Images of all points but those that are known.
-  void evaluate_between(const std::vector<std::uint32_t>& known, Samples& even) const {
+  // Images of all points but those that are known; where these are few, of them too.
+  void evaluate_between(const std::vector<std::uint32_t>& known, const Buffer<double>& index, Samples& even) const {
+    if (!options_.images_are_dear && known.size() * few_known < even.points.size()) return evaluate_in_place(even);
     Buffer<std::uint32_t> fresh(even.points.size() - known.size());
+    const auto number = [&](std::size_t j) { return static_cast<std::uint32_t>(index[known[j]]); };
     for_each_block(known.size() - 1, pass_grain, [&](std::size_t first, std::size_t last) {
       for (std::size_t j = first; j < last; ++j) {
-        // Before the j-th known one are known[j] - j others.
-        for (std::uint32_t k = known[j] + 1; k < known[j + 1]; ++k) fresh[k - j - 1] = k;
+        // Before the j-th known one are number(j) - j others.
+        for (std::uint32_t k = number(j) + 1; k < number(j + 1); ++k) fresh[k - j - 1] = k;
       }
     });
     evaluate(
@@ -441,14 +448,24 @@ class Tracer {
         [&](std::size_t k, Point point) { even.points[fresh[k]] = point; });
   }
 
+  void evaluate_in_place(Samples& samples) const {
+    in_chunks(samples.points.size(), [&](std::size_t first, std::size_t last) {
+      function_(std::span(samples.parameters).subspan(first, last - first),
+                std::span(samples.points).subspan(first, last - first));
+    });
+  }
+
   void collect_diagnostics() {
     if (rounds_ == options_.max_rounds || trace_.out_of_points) {  // some may be open still
       verdicts_.resize(segments());
+      const auto fine_all = [&](std::size_t first, std::size_t last, const auto&) { mark_fine(first, last); };
       for_each_block(segments(), pass_grain, [&](std::size_t first, std::size_t last) {
-        for_segments(first, last, outside_segment | coarse_segment, mark_fine(),
+        for_segments(first, last, outside_segment | coarse_segment, fine_all,
                      [&](const TracedSegment& s) { verdicts_[s.number] = verdict(s, kind(s.number)); });
       });
     }
+    // Most often each is `fine`, as the one before it is.
+    if (verdicts_[0] == fine && std::equal(verdicts_.begin() + 1, verdicts_.end(), verdicts_.begin())) return;
     const Buffer<GrowthDiagnostic> diagnostics = gathered<GrowthDiagnostic>(
         segments(), [&](std::size_t k) { return verdicts_[k] > fine; },
         [&](std::size_t k) {
@@ -463,6 +480,7 @@ class Tracer {
   const TraceOptions& options_;
   double edge_ = 0;
   Buffer<Verdict> verdicts_;  // on segments
+  Buffer<double> required_;   // parts that segments of the guide require, as long as there is one
   std::uint32_t rounds_ = 0;
   Trace trace_;
 };

@@ -36,6 +36,7 @@ struct TraceOptions {
   double max_total_length = std::numeric_limits<double>::infinity();  ///< the trace may end where it is this long
   std::uint32_t max_rounds = 40;
   std::size_t batch = 64;
+  bool images_are_dear = true;                 ///< those that the guide has already are taken from there
   std::function<bool()> spent;                 ///< whether to give up, with Cancelled; asked by any thread
   std::function<void(std::size_t)> evaluated;  ///< called with the number of further evaluations; may throw to cancel
 };
@@ -47,6 +48,12 @@ struct Trace {
   bool out_of_points = false;  ///< max_points was reached: the samples end where that was, or are worthless
   double points_needed = 0;    ///< points that an abandoned trace would need, about
 };
+
+/// Whether images after `steps` of a map are worth more than the way of finding those that a guide has already. A map
+/// shows by its work whether it is given by a formula, once it has been used; 16 steps of the quickest take as long.
+[[nodiscard]] inline bool are_dear(const PlanarMap& map, std::uint64_t steps) {
+  return steps == 0 || steps >= 16 || map.work() > 0;
+}
 
 /// Points of the guide with the numbers `kept` (ascending, the first and the last among them) stay; the curve may have
 /// corners there. Parallel; the same bits for any number of threads. O(points) a round, few rounds.

@@ -111,7 +111,7 @@ TEST(Transport, SaysThatManifoldsHaveNotCrossed) {
   const double half = std::numbers::pi;
   const Connection connection{{half, 0}, {-1, 1}, {0, half}, {1, -1}, std::nullopt};
   ManifoldTangleOptions options;
-  options.max_work = 1e5;
+  options.max_work = 1.2e5;
   const std::string text = refusal([&] { (void)grow_tangle(KickedHarper(1.6, 0.8), connection, options); });
   EXPECT_NE(text.find("have not crossed"), std::string::npos) << text;
   // With as much of both there is one.
