@@ -267,8 +267,9 @@ std::vector<std::size_t> ManifoldGrowth::refine(std::span<const std::uint32_t> s
 }
 
 CurveFunction ManifoldGrowth::image(int generation) const {
-  return [this, generation](std::span<const double> parameters, std::span<Point> points) {
-    chebyshev_points(without_roundings(local_.coefficients), 0, side_ * local_.reach, parameters, points);
+  return [this, generation, coefficients = without_roundings(local_.coefficients)](std::span<const double> parameters,
+                                                                                   std::span<Point> points) {
+    chebyshev_points(coefficients, 0, side_ * local_.reach, parameters, points);
     if (generation > 0) map_.iterate(points, generation * steps_);
   };
 }
