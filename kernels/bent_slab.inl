@@ -15,7 +15,8 @@ struct PlacesAlong {
   double step;  // the greatest difference of u along a segment
   double far;   // bounds of |u| and |v|
   [[nodiscard]] double uncertainty(double bend) const {
-    // u and v have four roundings of numbers below `far`, the height ten more; sums and products may underflow.
+    // u and v have four roundings of numbers below `far`, the height ten more; sums and products may underflow. For u
+    // it is more than enough.
     return 0x1p-46 * (far + __builtin_fabs(bend) * far * far) + 0x1p-1000;
   }
 };
@@ -55,20 +56,25 @@ inline double sagitta_of(const PlacesAlong& places, double bend) {
 
 inline void bound_bent_slab(const PlacesAlong& places, BentSlab& slab) {
   Lanes low = heights_at(places, slab.bend, leaf_size), high = low;
+  Lanes left = load(places.u + leaf_size), right = left;
   for (std::size_t i = 0; i < leaf_size; i += lanes) {
-    const Lanes height = heights_at(places, slab.bend, i);
+    const Lanes height = heights_at(places, slab.bend, i), u = load(places.u + i);
     low = min(low, height);
     high = max(high, height);
+    left = min(left, u);
+    right = max(right, u);
   }
   const double uncertainty = places.uncertainty(slab.bend), sagitta = sagitta_of(places, slab.bend);
   slab.low = least(low) - uncertainty + (sagitta < 0 ? sagitta : 0);
   slab.high = greatest(high) + uncertainty + (sagitta > 0 ? sagitta : 0);
+  slab.left = least(left) - uncertainty;
+  slab.right = greatest(right) + uncertainty;
 }
 
 // Along the parabola through both ends and the middle, or the chord, whichever is narrower.
 inline void fit_bent_slab(const Point* points, BentSlab& slab) {
   const Point from = points[0], to = points[leaf_size];
-  slab = {{0.5 * from.x + 0.5 * to.x, 0.5 * from.y + 0.5 * to.y}, {to.x - from.x, to.y - from.y}, 0, 0, 0};
+  slab = {{0.5 * from.x + 0.5 * to.x, 0.5 * from.y + 0.5 * to.y}, {to.x - from.x, to.y - from.y}, 0, 0, 0, 0, 0};
   if (!__builtin_isfinite(slab.along.x) || !__builtin_isfinite(slab.along.y)) slab.along = {0, 0};
   PlacesAlong places;
   place_along(points, slab.middle, slab.along, places);
@@ -93,7 +99,16 @@ inline std::uint32_t meeting_bent_slab(const BentSlab& slab, const Point* b) {
     above |= static_cast<std::uint64_t>(mask_bits(height > high)) << i;
     below |= static_cast<std::uint64_t>(mask_bits(height < low)) << i;
   }
-  return ~static_cast<std::uint32_t>((above & above >> 1) | (below & below >> 1));
+  const std::uint64_t beside = (above & above >> 1) | (below & below >> 1);
+  if (static_cast<std::uint32_t>(~beside) == 0) return 0;
+  const Lanes left = splat(slab.left - uncertainty), right = splat(slab.right + uncertainty);
+  std::uint64_t before = 0, behind = 0;
+  for (std::size_t i = 0; i < leaf_size + lanes; i += lanes) {
+    const Lanes u = load(places.u + i);
+    before |= static_cast<std::uint64_t>(mask_bits(u < left)) << i;
+    behind |= static_cast<std::uint64_t>(mask_bits(u > right)) << i;
+  }
+  return ~static_cast<std::uint32_t>(beside | (before & before >> 1) | (behind & behind >> 1));
 }
 
 }  // namespace

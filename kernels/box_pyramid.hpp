@@ -14,8 +14,8 @@ namespace lober::detail {
 
 /// A node: level 0 are the leaves; node k of level l covers leaves [k << l, (k + 1) << l).
 struct TreeNode {
-  std::uint32_t level = 0;
-  std::uint32_t index = 0;
+  std::uint32_t level;
+  std::uint32_t index;
   friend bool operator==(const TreeNode&, const TreeNode&) = default;
 };
 

@@ -41,16 +41,10 @@ void join_frames(const std::array<const FourFrames*, nodes_at_once>& below,
   kernels().join_frames(below.data(), chords.data(), boxes.data(), frames);
 }
 
-void distribute_frames(const FourFrames& four, std::size_t present, FramePyramid pyramid, const TreeNode* list,
-                       std::size_t count, const std::array<TreeNode*, nodes_at_once>& met,
-                       std::array<std::size_t, nodes_at_once>& met_count) {
-  kernels().distribute_frames(four, present, pyramid, list, count, met.data(), met_count.data());
-}
-
-SplitCounts refine_frames(const FourFrames& four, std::size_t which, double largest, FramePyramid pyramid,
-                          const std::uint32_t* size, const TreeNode* list, std::size_t count, TreeNode* kept,
-                          TreeNode* split) {
-  return kernels().refine_frames(four, which, largest, pyramid, size, list, count, kept, split);
+std::size_t descend_frames(const SelfTree& tree, const FramedNodes& nodes, const TreeNode* list, std::size_t count,
+                           const std::array<TreeNode*, nodes_at_once>& met, std::size_t capacity,
+                           std::array<std::size_t, nodes_at_once>& met_count) {
+  return kernels().descend_frames(tree, nodes, list, count, met.data(), capacity, met_count.data());
 }
 
 std::size_t keep_near(const Strip& strip, StripPyramid pyramid, TreeNode* list, std::size_t count) {

@@ -43,19 +43,52 @@ void join_frames(const std::array<const FourFrames*, nodes_at_once>& below,
                  const std::array<Chord, nodes_at_once>& chords, const std::array<const Box*, nodes_at_once>& boxes,
                  FourFrames& frames);
 
-/// Sorts the `count` nodes of `list`, of even levels, by which of the first `present` of `four` their frames may meet,
-/// like distribute. A node is left out only if a line along one of the two frames, or one across the first, certainly
-/// separates them. Frames that are not finite meet all.
-void distribute_frames(const FourFrames& four, std::size_t present, FramePyramid pyramid, const TreeNode* list,
-                       std::size_t count, const std::array<TreeNode*, nodes_at_once>& met,
-                       std::array<std::size_t, nodes_at_once>& met_count);
+/// A tree that is searched for what its curve has in common with itself.
+struct SelfTree {
+  BoxPyramid boxes;
+  FramePyramid frames;
+  const std::uint8_t* flags;  ///< MonotoneFlags, laid out like the boxes
+  bool closed;
+  bool stalls;  ///< whether nodes that are points have to be left out
+  [[nodiscard]] std::uint32_t leaves() const { return boxes.size[0]; }
+  [[nodiscard]] std::uint8_t flags_of(TreeNode node) const { return flags[boxes.begin[node.level] + node.index]; }
+};
 
-/// The nodes of `list` that are leaves or no larger than `largest` (by frame_size) go to `kept`; of the nodes two
-/// levels below the others, those whose frames may meet frame `which` of `four` go to `kept` likewise, or to `split`.
-/// `size` has the number of nodes on each level. Room for 4 `count` + 1 is needed in both.
-SplitCounts refine_frames(const FourFrames& four, std::size_t which, double largest, FramePyramid pyramid,
-                          const std::uint32_t* size, const TreeNode* list, std::size_t count, TreeNode* kept,
-                          TreeNode* split);
+/// Whether there is nothing to find between two nodes of it: the pair is found the other way round, or both are one
+/// monotone run.
+[[nodiscard]] LOBER_INLINE bool nothing_between(const SelfTree& tree, TreeNode node, TreeNode candidate) {
+  const std::uint32_t begin = node.index << node.level, end = (node.index + 1) << node.level;
+  const std::uint32_t other_begin = candidate.index << candidate.level;
+  const std::uint32_t other_end = (candidate.index + 1) << candidate.level;
+  if (other_end <= begin) return true;
+  const bool wraps = begin == 0 && other_end >= tree.leaves() && tree.closed;
+  // One may contain the other, and then the larger is the run.
+  if (other_begin > end && !wraps) return false;
+  return (tree.flags_of(node) & tree.flags_of(candidate)) != 0;
+}
+
+/// The leaf from which on candidates are so far behind the nodes from `first` to `last` that nothing_between is false.
+[[nodiscard]] LOBER_INLINE std::uint32_t far_behind(TreeNode first, TreeNode last) {
+  return first.index == 0 ? ~std::uint32_t{0} : ((last.index + 1) << last.level) + 1;
+}
+
+/// Up to four nodes of an even level side by side, of which the first has a number divisible by four.
+struct FramedNodes {
+  const FourFrames* frames;
+  TreeNode first;
+  std::uint32_t present;
+  std::uint32_t far;  ///< candidates that begin there are never left out for where they are
+};
+
+/// For each of the nodes, the nodes of even levels of the tree that its frame may meet, out of the `count` ones of
+/// `list` and those below them: leaves, or such as are no larger than the node (by frame_size) if that is none. Those
+/// of node i go to met[i], and met_count[i] says how many. A candidate is left out only if a line along one of the two
+/// frames, or one across that of the node, certainly separates them, or for nothing_between. Frames that are not finite
+/// meet all. Returns the number of frames tested, or 0 if there was not memory for more than `capacity` nodes, at least
+/// `count` + 1, in each of met[0 .. 3].
+std::size_t descend_frames(const SelfTree& tree, const FramedNodes& nodes, const TreeNode* list, std::size_t count,
+                           const std::array<TreeNode*, nodes_at_once>& met, std::size_t capacity,
+                           std::array<std::size_t, nodes_at_once>& met_count);
 
 /// The measure of the size of a frame.
 [[nodiscard]] LOBER_INLINE double frame_size(const FourFrames& four, std::size_t which) {

@@ -124,56 +124,118 @@ inline const FourFrames& frames_at(FramePyramid pyramid, std::uint32_t level, st
   return pyramid.frames[pyramid.begin[level / 2] + index / lanes];
 }
 
-inline void distribute_by_frames(const FourFrames& four, std::size_t present, FramePyramid pyramid,
-                                 const TreeNode* list, std::size_t count, TreeNode* const* met,
-                                 std::size_t* met_count) {
-  FrameLanes a, b;
-  load_frames(four, a);
-  std::size_t end[lanes] = {};
-  const unsigned valid = (1U << present) - 1;
-  for (std::size_t k = 0; k < count; ++k) {
-    const TreeNode node = list[k];
-    splat_frame(frames_at(pyramid, node.level, node.index), node.index % lanes, b);
-    const unsigned bits = valid & ~mask_bits(certainly_apart(a, b));
-    for (std::size_t i = 0; i < lanes; ++i) {
-      met[i][end[i]] = node;
-      end[i] += bits >> i & 1U;
-    }
+// Those of four nodes of the tree that have nothing to do with a node, out of the ones in `bits`.
+inline unsigned left_out(const SelfTree& tree, TreeNode node, TreeNode first, unsigned bits) {
+  const auto stays = [&](TreeNode at) {
+    return tree.stalls && is_point(tree.boxes.boxes[tree.boxes.begin[at.level] + at.index]);
+  };
+  if (stays(node)) return bits;
+  unsigned out = 0;
+  for (std::uint32_t i = 0; i < lanes; ++i) {
+    if ((bits >> i & 1U) == 0) continue;
+    const TreeNode candidate{first.level, first.index + i};
+    out |= static_cast<unsigned>(nothing_between(tree, node, candidate) || stays(candidate)) << i;
   }
-  for (std::size_t i = 0; i < lanes; ++i) met_count[i] = end[i];
+  return out;
 }
 
-inline SplitCounts refine_by_frames(const FourFrames& four, std::size_t which, double largest, FramePyramid pyramid,
-                                    const std::uint32_t* size, const TreeNode* list, std::size_t count, TreeNode* kept,
-                                    TreeNode* split) {
+// Four nodes in a row, from `first` on.
+using NodeLanes = std::uint32_t __attribute__((vector_size(32)));
+inline NodeLanes nodes_from(TreeNode first) {
+  const auto [level, index] = first;
+  return NodeLanes{level, index, level, index, level, index, level, index} + NodeLanes{0, 0, 0, 1, 0, 2, 0, 3};
+}
+// Writes those of four nodes whose bits are set to `to`, one behind the other, and returns how many they are. All four
+// places are written to.
+inline std::size_t put_nodes(NodeLanes four, unsigned bits, TreeNode* to) {
+#ifdef __AVX2__
+  alignas(32) static constexpr std::uint32_t places[16][8] = {
+      {0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 2, 3, 4, 5, 6, 7}, {2, 3, 0, 1, 4, 5, 6, 7}, {0, 1, 2, 3, 4, 5, 6, 7},
+      {4, 5, 0, 1, 2, 3, 6, 7}, {0, 1, 4, 5, 2, 3, 6, 7}, {2, 3, 4, 5, 0, 1, 6, 7}, {0, 1, 2, 3, 4, 5, 6, 7},
+      {6, 7, 0, 1, 2, 3, 4, 5}, {0, 1, 6, 7, 2, 3, 4, 5}, {2, 3, 6, 7, 0, 1, 4, 5}, {0, 1, 2, 3, 6, 7, 4, 5},
+      {4, 5, 6, 7, 0, 1, 2, 3}, {0, 1, 4, 5, 6, 7, 2, 3}, {2, 3, 4, 5, 6, 7, 0, 1}, {0, 1, 2, 3, 4, 5, 6, 7}};
+  NodeLanes place;
+  std::memcpy(&place, places[bits], sizeof place);
+  four = reinterpret_cast<NodeLanes>(
+      _mm256_permutevar8x32_epi32(reinterpret_cast<__m256i>(four), reinterpret_cast<__m256i>(place)));
+  std::memcpy(to, &four, sizeof four);
+  return static_cast<std::size_t>(__builtin_popcount(bits));
+#else
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < lanes; ++i) {
+    to[count] = {four[2 * i], four[2 * i + 1]};
+    count += bits >> i & 1U;
+  }
+  return count;
+#endif
+}
+
+// The way down from candidates to those that are no larger than one of the nodes. They are the last
+// `splits` of the `capacity` nodes of `out`; the others are put behind the first `kept`. Returns the number of frames
+// tested, or 0 if there was not memory.
+inline std::size_t descend_to_node(const SelfTree& tree, const FramedNodes& nodes, std::uint32_t which, double largest,
+                                   TreeNode* out, std::size_t capacity, std::size_t splits, std::size_t& kept) {
   FrameLanes a, b;
-  splat_frame(four, which, a);
-  SplitCounts end{0, 0};
-  for (std::size_t k = 0; k < count; ++k) {
-    const TreeNode node = list[k];
-    if (node.level == 0 || frame_size(frames_at(pyramid, node.level, node.index), node.index % lanes) <= largest) {
-      kept[end.kept++] = node;
-      continue;
-    }
-    const TreeNode first{node.level - 2, node.index * 4};
-    const std::uint32_t left = size[first.level] - first.index;
-    load_frames(frames_at(pyramid, first.level, first.index), b);
-    const unsigned meets = (left < lanes ? (1U << left) - 1 : 15U) & ~mask_bits(certainly_apart(a, b));
-    const unsigned small = first.level == 0 ? 15U : mask_bits(b.length + b.width <= splat(largest));
-    if ((meets & ~small) == 0) {
-      for (std::uint32_t i = 0; i < lanes; ++i) {
-        kept[end.kept] = {first.level, first.index + i};
-        end.kept += meets >> i & 1U;
-      }
-      continue;
-    }
-    for (std::uint32_t i = 0; i < lanes; ++i) {
-      kept[end.kept] = split[end.split] = {first.level, first.index + i};
-      end.kept += (meets & small) >> i & 1U;
-      end.split += (meets & ~small) >> i & 1U;
+  splat_frame(*nodes.frames, which, a);
+  const TreeNode node{nodes.first.level, nodes.first.index + which};
+  TreeNode waiting[4 * 16];  // three of each second level, and those of the last
+  std::size_t tested = 0;
+  for (std::size_t k = 0; k < splits; ++k) {
+    std::size_t count = 0;
+    waiting[count++] = out[capacity - splits + k];
+    while (count > 0) {
+      if (kept + lanes + (splits - k) > capacity) return 0;
+      const TreeNode above = waiting[--count], first{above.level - 2, above.index * 4};
+      const std::uint32_t left = tree.boxes.size[first.level] - first.index;
+      load_frames(frames_at(tree.frames, first.level, first.index), b);
+      unsigned meets = (left < lanes ? (1U << left) - 1 : 15U) & ~mask_bits(certainly_apart(a, b));
+      if (first.index << first.level < nodes.far) meets &= ~left_out(tree, node, first, meets);
+      const unsigned small = first.level == 0 ? 15U : mask_bits(b.length + b.width <= splat(largest));
+      const NodeLanes four = nodes_from(first);
+      kept += put_nodes(four, meets & small, out + kept);
+      count += put_nodes(four, meets & ~small, waiting + count);
+      tested += lanes;
     }
   }
-  return end;
+  return tested;
+}
+
+inline std::size_t descend_by_frames(const SelfTree& tree, const FramedNodes& nodes, const TreeNode* list,
+                                     std::size_t count, TreeNode* const* met, std::size_t capacity,
+                                     std::size_t* met_count) {
+  FrameLanes a, b;
+  load_frames(*nodes.frames, a);
+  const Lanes largest = nodes.first.level == 0 ? splat(-1) : a.length + a.width;
+  const unsigned present = (1U << nodes.present) - 1;
+  std::size_t kept[lanes] = {}, splits[lanes] = {};
+  for (std::size_t k = 0; k < count; ++k) {
+    const TreeNode candidate = list[k];
+    splat_frame(frames_at(tree.frames, candidate.level, candidate.index), candidate.index % lanes, b);
+    unsigned meets = present & ~mask_bits(certainly_apart(a, b));
+    if (candidate.index << candidate.level < nodes.far) {
+      for (std::uint32_t i = 0; i < nodes.present; ++i) {
+        const TreeNode node{nodes.first.level, nodes.first.index + i};
+        meets &= ~(left_out(tree, node, candidate, meets >> i & 1U) << i);
+      }
+    }
+    const unsigned small = candidate.level == 0 ? 15U : mask_bits(b.length + b.width <= largest);
+    const unsigned keep = meets & small, split = meets & ~small;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      met[i][kept[i]] = met[i][capacity - 1 - splits[i]] = candidate;
+      kept[i] += keep >> i & 1U;
+      splits[i] += split >> i & 1U;
+    }
+  }
+  std::size_t tested = nodes.present * count;
+  for (std::uint32_t i = 0; i < lanes; ++i) {
+    if (splits[i] > 0) {
+      const std::size_t below = descend_to_node(tree, nodes, i, largest[i], met[i], capacity, splits[i], kept[i]);
+      if (below == 0) return 0;
+      tested += below;
+    }
+    met_count[i] = kept[i];
+  }
+  return tested;
 }
 
 }  // namespace

@@ -44,11 +44,8 @@ struct KernelTable {
                      ChartedLeaf& charted);
   void (*frames_of_leaves)(const Point* const* points, const Box* const* boxes, FourFrames& frames);
   void (*join_frames)(const FourFrames* const* below, const Chord* chords, const Box* const* boxes, FourFrames& frames);
-  void (*distribute_frames)(const FourFrames& four, std::size_t present, FramePyramid pyramid, const TreeNode* list,
-                            std::size_t count, TreeNode* const* met, std::size_t* met_count);
-  SplitCounts (*refine_frames)(const FourFrames& four, std::size_t which, double largest, FramePyramid pyramid,
-                               const std::uint32_t* size, const TreeNode* list, std::size_t count, TreeNode* kept,
-                               TreeNode* split);
+  std::size_t (*descend_frames)(const SelfTree& tree, const FramedNodes& nodes, const TreeNode* list, std::size_t count,
+                                TreeNode* const* met, std::size_t capacity, std::size_t* met_count);
   void (*subdivide)(const CubicPiece& piece, std::uint32_t parts, std::uint32_t first, std::uint32_t last, Point* out);
   void (*summarise_leaves)(const Point* points, std::size_t first, std::size_t count, Box* boxes, DD* sums,
                            std::uint8_t* flags);

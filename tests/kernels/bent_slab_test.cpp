@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -84,6 +85,52 @@ TEST(BentSlab, TellsArcsApart) {
     EXPECT_EQ(segments_meeting(slab, arcs[0].data()), 0U) << turn;
     EXPECT_EQ(segments_meeting(slab, arcs[2].data()), 0U) << turn;
   }
+}
+
+// A curve that goes on from the end of a leaf lies in the slab round it but for its ends: only its first segment
+// reaches back, and none does from behind a gap.
+TEST(BentSlab, EndsWithTheLeaf) {
+  for (const double gap : {0.0, 1e-9}) {
+    for (const double bend : {0.0, 0.3}) {
+      Points a, b;
+      for (std::size_t k = 0; k <= leaf_size; ++k) {
+        const double s = static_cast<double>(k) / leaf_size, t = 1 + gap + s;
+        a.push_back({0.8 * s - 0.6 * bend * s * s, 0.6 * s + 0.8 * bend * s * s});
+        b.push_back({0.8 * t - 0.6 * bend * t * t, 0.6 * t + 0.8 * bend * t * t});
+      }
+      BentSlab slab;
+      bent_slab(a.data(), slab);
+      EXPECT_EQ(segments_meeting(slab, b.data()), gap == 0 ? 1U : 0U) << bend;
+      std::reverse(b.begin(), b.end());
+      EXPECT_EQ(segments_meeting(slab, b.data()), gap == 0 ? 1U << 31U : 0U) << bend;
+    }
+  }
+}
+
+// Segments across the end of a leaf that meet it there: rounding puts the ends of some beyond that of the slab.
+TEST(BentSlab, KeepsWhatMeetsItsEnds) {
+  Random random(seed());
+  std::size_t common = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const double turn = random.log_uniform(1e-3, 2), size = random.chance(0.2) ? with_exponent(random, -400, 400) : 1;
+    const Points a = bent_leaf(random, size, 1e-17, {random.uniform(-1, 1) * size, random.uniform(-1, 1) * size}, turn);
+    BentSlab slab;
+    bent_slab(a.data(), slab);
+    const bool at_front = random.chance(0.5);
+    const Point end = at_front ? a.front() : a.back(), before = at_front ? a[1] : a[leaf_size - 1];
+    Points b(leaf_size + 1);
+    for (std::size_t i = 0; i <= leaf_size; ++i) {
+      const double far = (i % 2 == 0 ? 1 : -1) * random.log_uniform(1e-3, 1);
+      b[i] = neighbour(random, {end.x - far * slab.along.y, end.y + far * slab.along.x}, 1);
+    }
+    const std::uint32_t kept = segments_meeting(slab, b.data());
+    for (std::size_t j = 0; j < leaf_size; ++j) {
+      if (!arcs_meet(before, end, b[j], b[j + 1])) continue;
+      ++common;
+      ASSERT_TRUE(kept >> j & 1) << "try " << k;
+    }
+  }
+  EXPECT_GT(common, 10000U);
 }
 
 TEST(BentSlab, OfNumbersThatOverflowPartsNothing) {

@@ -41,6 +41,8 @@ class BoxTree {
   [[nodiscard]] bool stalls() const { return stalls_; }
   /// MonotoneFlags of the whole node.
   [[nodiscard]] std::uint8_t flags(TreeNode node) const { return flags_[level_begin_[node.level] + node.index]; }
+  /// Those of all nodes, laid out like the boxes of the pyramid.
+  [[nodiscard]] const std::uint8_t* all_flags() const { return flags_.data(); }
   [[nodiscard]] const Box* leaf_boxes() const { return boxes_.data(); }
   /// Shoelace sums of the leaves, see summarise_leaves.
   /// A whole number of chunks of them: behind the last leaf they are zero.
@@ -57,6 +59,12 @@ class BoxTree {
   /// leaf_size + 1 points of a leaf; behind the end of the curve its last point is repeated.
   [[nodiscard]] const Point* leaf_points(std::size_t leaf) const {
     return leaf + 1 == leaves() ? tail_.data() : curve_.points.data() + leaf * leaf_size;
+  }
+  /// Asks for these points ahead of their use, where leaves are read here and there in memory.
+  void prefetch_leaf(std::size_t leaf) const {
+    constexpr std::size_t line = 64;
+    const Point* const points = leaf_points(leaf);
+    for (std::size_t i = 0; i <= leaf_size; i += line / sizeof(Point)) __builtin_prefetch(points + i);
   }
   /// The sums of a short curve that has been used several times; null until then, and of a long one always. Any thread
   /// may call it.

@@ -3,6 +3,7 @@
 // side by side, windows (window_search.hpp) where one curve is folded upon itself many times.
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 #include <span>
@@ -96,8 +97,9 @@ Meeting task_below(const TreeWalk& search, Meeting from, std::size_t index, Sear
 }
 
 // The pairs of all leaves with those that are near.
-SearchCounts search_leaves(const TreeWalk& search, const NearLeaves& near, std::size_t leaves, PairConsumer& consumer,
+SearchCounts search_leaves(const TreeWalk& search, const NearLeaves& near, const BoxTree& tree, PairConsumer& consumer,
                            SearchCounts counts) {
+  const std::size_t leaves = tree.leaves();
   constexpr std::size_t in_block = std::size_t{1} << block_level;
   const std::size_t blocks = (leaves + in_block - 1) / in_block;
   std::vector<SearchCounts> block_counts(blocks);
@@ -105,9 +107,15 @@ SearchCounts search_leaves(const TreeWalk& search, const NearLeaves& near, std::
     TreeWalk::Scratch scratch(0);
     const auto number = static_cast<std::uint32_t>(block);
     const std::size_t end = consumer.wants(number) ? std::min((block + 1) * in_block, leaves) : 0;
-    for (std::size_t leaf = block * in_block; leaf < end; ++leaf) {
-      const auto index = static_cast<std::uint32_t>(leaf);
-      search.walk({0, index}, near.of(index), number, consumer, scratch);
+    std::array<std::uint32_t, in_block + 1> leaf;  // those that are near others, which may be few
+    std::size_t count = 0;
+    for (std::size_t k = block * in_block; k < end; ++k) {
+      leaf[count] = static_cast<std::uint32_t>(k);
+      count += near.of(leaf[count]).empty() ? 0 : 1;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      if (k + 1 < count) tree.prefetch_leaf(leaf[k + 1]);
+      search.walk({0, leaf[k]}, near.of(leaf[k]), number, consumer, scratch);
     }
     consumer.finish(number);
     block_counts[block] = scratch.counts;
@@ -151,15 +159,20 @@ SearchCounts search_trees(const BoxTree& first, const BoxTree& second, bool self
   SearchCounts counts;
   std::vector<TreeNode> list = search.start(counts);
   if (first.root().level <= block_level) return search_block(search, first.root(), counts, list, consumer);
-  const Meeting start{first.root(), std::move(list)};
+  Meeting start{first.root(), std::move(list)};
   Forecast ahead;
+  std::optional<NodeFrames> frames;
   if (self) {
     // Where many boxes meet, the way down to the tasks is long.
     const auto task = [&](std::size_t index) { return task_below(search, start, index, counts); };
     ahead = forecast(search, first.nodes(std::min(task_level, first.levels() - 1)), task, worth_windows, counts);
     if (ahead.boxes_a_leaf > worth_windows) {
       const NearLeaves near(first, counts);
-      if (near.is_complete()) return search_leaves(search, near, first.leaves(), consumer, counts);
+      if (near.is_complete()) return search_leaves(search, near, first, consumer, counts);
+    }
+    if (ahead.boxes_a_leaf > worth_frames) {
+      search.use(frames.emplace(first));
+      start.list = search.on_even_levels(start.list);
     }
   }
   std::vector<Meeting> tasks;
@@ -167,13 +180,9 @@ SearchCounts search_trees(const BoxTree& first, const BoxTree& second, bool self
   const auto task_at = [&](std::size_t k) { return tasks[k]; };
   constexpr double no_bound = std::numeric_limits<double>::infinity();
   if (!self) ahead = forecast(search, tasks.size(), task_at, no_bound, counts);
-  std::optional<NodeFrames> frames;
   std::optional<NodeStrips> strips1, strips2;
-  if (self && ahead.boxes_a_leaf > worth_frames) {
-    search.use(frames.emplace(first));
-    for (Meeting& task : tasks) task.list = search.on_even_levels(task.list);
-  } else if (ahead.boxes_a_leaf > worth_strips &&
-             ahead.boxes > boxes_a_strip * static_cast<double>(first.leaves() + second.leaves())) {
+  if (!self && ahead.boxes_a_leaf > worth_strips &&
+      ahead.boxes > boxes_a_strip * static_cast<double>(first.leaves() + second.leaves())) {
     search.use(strips1.emplace(first), strips2.emplace(second));
     const Forecast with_strips = forecast(search, tasks.size(), task_at, no_bound, counts);
     if (with_strips.boxes_a_leaf > part_with_strips * ahead.boxes_a_leaf) search.use_boxes_only();

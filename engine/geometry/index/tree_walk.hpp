@@ -16,6 +16,7 @@
 
 #include "engine/geometry/index/box_tree.hpp"
 #include "engine/geometry/index/index.hpp"
+#include "engine/geometry/index/leaf_turns.hpp"
 #include "engine/geometry/index/node_frames.hpp"
 #include "engine/geometry/index/node_strips.hpp"
 #include "kernels/bent_slab.hpp"
@@ -34,7 +35,11 @@ class TreeWalk {
 
   /// With `self` the two trees are one.
   TreeWalk(const BoxTree& first, const BoxTree& second, bool self)
-      : first_(first), second_(second), self_(self), stalls_(first.stalls() || second.stalls()) {}
+      : first_(first),
+        second_(second),
+        self_(self),
+        stalls_(first.stalls() || second.stalls()),
+        tree_{first.pyramid(), {}, first.all_flags(), first.curve().closed, stalls_} {}
 
   /// Where the walk starts: the root of the first tree with what it meets.
   [[nodiscard]] std::vector<TreeNode> start(SearchCounts& counts) const {
@@ -54,28 +59,25 @@ class TreeWalk {
   void go_down(TreeNode node, std::span<const TreeNode> list, Carried& carried, SearchCounts& counts) const {
     const TreeNode below = first_below(node);
     const std::size_t present = nodes_below(node);
+    if (frames_ != nullptr) {
+      const TreeNode last{below.level, below.index + static_cast<std::uint32_t>(present) - 1};
+      const std::uint32_t far = stalls_ ? no_leaf : far_behind(below, last);
+      go_down_by_frames({&frames_->four(below), below, static_cast<std::uint32_t>(present), far}, list, carried,
+                        counts);
+      return;
+    }
     std::array<TreeNode*, nodes_at_once> met{};
     for (std::size_t i = 0; i < nodes_at_once; ++i) {
       ensure_size(carried.met[i], list.size() + 1);
       met[i] = carried.met[i].data();
     }
-    if (frames_ != nullptr) {
-      distribute_frames(frames_->four(below), present, frames_->pyramid(), list.data(), list.size(), met,
-                        carried.count);
-    } else {
-      distribute(&first_.box(below), present, second_.pyramid(), list.data(), list.size(), met, carried.count);
-    }
+    distribute(&first_.box(below), present, second_.pyramid(), list.data(), list.size(), met, carried.count);
     counts.boxes_tested += present * list.size();
     for (std::size_t i = 0; i < present; ++i) {
       const TreeNode child{below.level, below.index + static_cast<std::uint32_t>(i)};
       if (self_) carried.count[i] = drop_apart(child, carried.met[i].data(), carried.count[i]);
       drop_beside(child, carried.met[i], carried.count[i], counts);
-      if (carried.count[i] == 0) continue;
-      if (frames_ != nullptr) {
-        split_by_frames(child, carried.met[i], carried.count[i], counts);
-      } else {
-        split_to_size(child, carried.met[i], carried.count[i], counts);
-      }
+      if (carried.count[i] > 0) split_to_size(child, carried.met[i], carried.count[i], counts);
     }
   }
 
@@ -152,7 +154,10 @@ class TreeWalk {
 
   /// Uses the frames from now on, for a curve with itself. They must outlive the search. Lists may then hold nodes of
   /// even levels only.
-  void use(const NodeFrames& frames) { frames_ = &frames; }
+  void use(const NodeFrames& frames) {
+    frames_ = &frames;
+    tree_.frames = frames.pyramid();
+  }
   /// The same list with nodes of even levels: others are replaced by those below them.
   [[nodiscard]] std::vector<TreeNode> on_even_levels(std::span<const TreeNode> list) const {
     std::vector<TreeNode> even;
@@ -197,7 +202,8 @@ class TreeWalk {
     for (std::size_t k = 0; k < count; ++k) {
       const TreeNode candidate = list[k];
       list[kept] = candidate;
-      kept += static_cast<std::size_t>(candidate.index << candidate.level > end || !apart(node, candidate));
+      kept += static_cast<std::size_t>(candidate.index << candidate.level > end ||
+                                       !nothing_between(tree_, node, candidate));
     }
     return kept;
   }
@@ -244,31 +250,19 @@ class TreeWalk {
     });
   }
 
-  // The same by frames, for a curve with itself.
-  void split_by_frames(TreeNode node, Buffer<TreeNode>& list, std::size_t& count, SearchCounts& counts) const {
-    const FourFrames& four = frames_->four(node);
-    const std::size_t which = node.index % nodes_at_once;
-    const double largest = node.level == 0 ? -1 : frame_size(four, which);
-    split(node, list, count, counts, [&](const TreeNode* from, std::size_t number, TreeNode* kept, TreeNode* below) {
-      const SplitCounts done =
-          refine_frames(four, which, largest, frames_->pyramid(), second_.pyramid().size, from, number, kept, below);
-      counts.boxes_tested += nodes_at_once * number;
-      return SplitCounts{drop_apart(node, kept, done.kept), drop_apart(node, below, done.split)};
-    });
-    if (stalls_) drop_points(node, list, count);
-  }
-
-  // In a search of a curve against itself: nothing to find between these two nodes.
-  [[nodiscard]] bool apart(TreeNode node, TreeNode candidate) const {
-    const std::uint32_t begin = node.index << node.level, end = (node.index + 1) << node.level;
-    const std::uint32_t other_begin = candidate.index << candidate.level;
-    const std::uint32_t other_end = (candidate.index + 1) << candidate.level;
-    if (other_end <= begin) return true;  // the pair is found the other way round
-    const std::uint8_t common = first_.flags(node) & second_.flags(candidate);
-    if (common == 0) return false;
-    if (other_begin < end) return true;  // one contains the other, and the larger is one monotone run
-    const bool wraps = begin == 0 && other_end >= second_.leaves() && second_.curve().closed;
-    return other_begin == end || wraps;
+  // The same by frames, for a curve with itself; the list is not empty.
+  void go_down_by_frames(FramedNodes nodes, std::span<const TreeNode> list, Carried& carried,
+                         SearchCounts& counts) const {
+    std::size_t tested = 0, capacity = 2 * list.size() + 32;
+    for (; tested == 0; capacity *= 2) {
+      std::array<TreeNode*, nodes_at_once> met{};
+      for (std::size_t i = 0; i < nodes_at_once; ++i) {
+        ensure_size(carried.met[i], capacity);
+        met[i] = carried.met[i].data();
+      }
+      tested = descend_frames(tree_, nodes, list.data(), list.size(), met, capacity, carried.count);
+    }
+    counts.boxes_tested += tested;
   }
 
   void leaf_pairs(TreeNode leaf, std::span<const TreeNode> others, Buffer<SegmentPair>& pairs,
@@ -282,8 +276,10 @@ class TreeWalk {
     pairs.clear();
     for (const TreeNode& other : others) {
       const Point* const points = second_.leaf_points(other.index);
-      const bool beside = self_ && other.index != leaf.index;
-      const std::uint32_t wanted = beside ? segments_meeting(slab, points) : all_segments;
+      std::uint32_t wanted = all_segments;
+      if (self_) {
+        wanted = other == leaf ? segments_meeting_earlier(points, first_.box(leaf)) : segments_meeting(slab, points);
+      }
       if (wanted == 0) continue;
       if (!has_boxes) segment_boxes(first_.leaf_points(leaf.index), boxes);
       has_boxes = true;
@@ -332,6 +328,7 @@ class TreeWalk {
   const BoxTree& second_;
   bool self_;
   bool stalls_;
+  SelfTree tree_;
   const NodeFrames* frames_ = nullptr;
   const NodeStrips* strips1_ = nullptr;
   const NodeStrips* strips2_ = nullptr;

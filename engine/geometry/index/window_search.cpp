@@ -58,7 +58,11 @@ void sort_by_height(const Buffer<Charted>& from, std::size_t count, Buffer<Chart
   sorted.resize(count);
   for (std::size_t k = 0; k < count; ++k) sorted[end[step_of(from[k])]++] = from[k];
   for (std::size_t k = 0, begin = 0; k < count; begin = end[k++]) {
-    if (end[k] > begin + 1) std::sort(sorted.data() + begin, sorted.data() + end[k], is_lower);
+    if (end[k] > begin + 2) {
+      std::sort(sorted.data() + begin, sorted.data() + end[k], is_lower);
+    } else if (end[k] == begin + 2 && is_lower(sorted[begin + 1], sorted[begin])) {
+      std::swap(sorted[begin], sorted[begin + 1]);
+    }
   }
 }
 
@@ -225,12 +229,11 @@ class Window {
   // than that many a leaf.
   [[nodiscard]] std::optional<std::vector<LeafPair>> compare(const FoldChart& chart, std::size_t max_pairs,
                                                              std::size_t max_tests, SearchCounts& counts) const {
-    constexpr std::size_t ahead = 3, line = 64;  // leaves of a window lie here and there in memory
+    constexpr std::size_t ahead = 3;
     Buffer<Charted> unsorted(leaves_.size()), charted;
     std::size_t count = 0;
     for (std::size_t k = 0; k < leaves_.size(); ++k) {
-      const Point* const later = tree_.leaf_points(leaves_[std::min(k + ahead, leaves_.size() - 1)]);
-      for (std::size_t i = 0; i <= leaf_size; i += line / sizeof(Point)) __builtin_prefetch(later + i);
+      tree_.prefetch_leaf(leaves_[std::min(k + ahead, leaves_.size() - 1)]);
       unsorted[count].leaf = leaves_[k];
       measure(leaves_[k], chart, unsorted[count].at);
       count += unsorted[count].at.is_inside ? 1 : 0;

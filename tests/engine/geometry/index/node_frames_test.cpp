@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,40 +24,37 @@ struct Framed {
   NodeFrames frames;
 };
 
-std::array<std::vector<TreeNode>, nodes_at_once> distributed(const Framed& first, TreeNode node, const Framed& second,
-                                                             const std::vector<TreeNode>& list) {
-  std::array<std::vector<TreeNode>, nodes_at_once> met;
-  std::array<TreeNode*, nodes_at_once> room{};
+using Lists = std::array<std::vector<TreeNode>, nodes_at_once>;
+
+// The nodes found for `node` and those beside it, of `list` and what lies below it. `far` as in FramedNodes.
+Lists descended(const Framed& first, TreeNode node, const Framed& second, const std::vector<TreeNode>& list,
+                std::uint32_t far = 0, std::size_t capacity = 0) {
+  const std::uint32_t begin = node.index / 4 * 4, left = first.tree.nodes(node.level) - begin;
+  const FramedNodes nodes{&first.frames.four(node), {node.level, begin}, std::min(left, 4U), far};
+  const BoxTree& tree = second.tree;
+  const SelfTree self{tree.pyramid(), second.frames.pyramid(), tree.all_flags(), tree.curve().closed, tree.stalls()};
+  Lists met;
+  std::array<TreeNode*, nodes_at_once> to{};
   std::array<std::size_t, nodes_at_once> count{};
-  for (std::size_t k = 0; k < nodes_at_once; ++k) {
-    met[k].resize(list.size() + 1);
-    room[k] = met[k].data();
+  std::size_t tested = 0;
+  for (capacity = std::max(capacity, list.size() + 1); tested == 0; ++capacity) {
+    for (std::size_t k = 0; k < nodes_at_once; ++k) {
+      met[k].resize(capacity);
+      to[k] = met[k].data();
+    }
+    tested = descend_frames(self, nodes, list.data(), list.size(), to, capacity, count);
   }
-  const std::size_t left = first.tree.nodes(node.level) - node.index / nodes_at_once * nodes_at_once;
-  distribute_frames(first.frames.four(node), std::min(left, nodes_at_once), second.frames.pyramid(), list.data(),
-                    list.size(), room, count);
   for (std::size_t k = 0; k < nodes_at_once; ++k) met[k].resize(count[k]);
   return met;
 }
 
-// Those that are kept and those that are to be split, in this order.
-std::vector<TreeNode> refined(const Framed& first, TreeNode node, double largest, const Framed& second,
-                              const std::vector<TreeNode>& list) {
-  std::vector<TreeNode> kept(nodes_at_once * list.size() + 1), split = kept;
-  const SplitCounts count =
-      refine_frames(first.frames.four(node), node.index % nodes_at_once, largest, second.frames.pyramid(),
-                    second.tree.pyramid().size, list.data(), list.size(), kept.data(), split.data());
-  kept.resize(count.kept);
-  kept.insert(kept.end(), split.begin(), split.begin() + static_cast<std::ptrdiff_t>(count.split));
-  return kept;
-}
-
-bool kept(const Framed& first, TreeNode node, const Framed& second, TreeNode other) {
-  const bool distributes = !distributed(first, node, second, {other})[node.index % nodes_at_once].empty();
-  if (other.level + levels_at_once >= second.tree.levels()) return distributes;
-  const TreeNode above{other.level + levels_at_once, other.index >> levels_at_once};
-  const std::vector<TreeNode> below = refined(first, node, -1, second, {above});
-  return distributes && std::find(below.begin(), below.end(), other) != below.end();
+// Whether something of `other` is found for `node`; if a leaf is given, that leaf or what it lies in.
+bool kept(const Framed& first, TreeNode node, const Framed& second, TreeNode other,
+          std::optional<std::uint32_t> leaf = std::nullopt) {
+  const Lists met = descended(first, node, second, {other});
+  const std::vector<TreeNode>& found = met[node.index % nodes_at_once];
+  return std::any_of(found.begin(), found.end(),
+                     [&](TreeNode below) { return !leaf || *leaf >> below.level == below.index; });
 }
 
 class Frames : public ::testing::TestWithParam<SceneKind> {};
@@ -71,10 +69,12 @@ TEST_P(Frames, KeepWhatMeets) {
     for (const SegmentPair& pair : pairs_with_common_point(one, two)) {
       for (std::uint32_t i = 0; i < first.tree.levels(); i += levels_at_once) {
         for (std::uint32_t j = 0; j < second.tree.levels(); j += levels_at_once) {
-          const TreeNode node{i, static_cast<std::uint32_t>(pair.first / leaf_size) >> i};
-          const TreeNode other{j, static_cast<std::uint32_t>(pair.second / leaf_size) >> j};
-          ASSERT_TRUE(kept(first, node, second, other)) << pair.first << ' ' << i << ' ' << pair.second << ' ' << j;
-          ASSERT_TRUE(kept(second, other, first, node));
+          const auto leaf = static_cast<std::uint32_t>(pair.first / leaf_size);
+          const auto other_leaf = static_cast<std::uint32_t>(pair.second / leaf_size);
+          const TreeNode node{i, leaf >> i}, other{j, other_leaf >> j};
+          ASSERT_TRUE(kept(first, node, second, other, other_leaf))
+              << pair.first << ' ' << i << ' ' << pair.second << ' ' << j;
+          ASSERT_TRUE(kept(second, other, first, node, leaf));
         }
       }
     }
@@ -144,16 +144,38 @@ TEST(NodeFrames, BothCopiesKeepTheSame) {
     for (std::uint32_t k = 0; k < framed.tree.nodes(level); ++k) all.push_back({level, k});
   }
   for (const TreeNode node : all) {
-    const double largest = frame_size(framed.frames.four(node), node.index % nodes_at_once);
-    const auto here = distributed(framed, node, framed, all);
-    const auto refined_here = refined(framed, node, largest, framed, all);
-    const InstructionSet before = instruction_set();
-    limit_instruction_set(InstructionSet::baseline);
-    const auto there = distributed(framed, node, framed, all);
-    const auto refined_there = refined(framed, node, largest, framed, all);
-    limit_instruction_set(before);
-    ASSERT_EQ(here, there);
-    ASSERT_EQ(refined_here, refined_there);
+    for (const std::uint32_t far : {0U, ~0U}) {
+      const Lists here = descended(framed, node, framed, all, far);
+      const InstructionSet before = instruction_set();
+      limit_instruction_set(InstructionSet::baseline);
+      const Lists there = descended(framed, node, framed, all, far);
+      limit_instruction_set(before);
+      ASSERT_EQ(here, there);
+      ASSERT_EQ(here, descended(framed, node, framed, all, far, 10000)) << "more memory changes nothing";
+    }
+  }
+}
+
+// For a curve with itself: nothing before a node, and nothing that goes on as one run with it.
+TEST(NodeFrames, FindEachPairOfNodesOnce) {
+  Curve curve;
+  curve.closed = false;
+  for (int k = 0; k <= 64 * 32; ++k) {
+    const double t = k / 512.0, back = std::fabs(t - 2);  // out and back again
+    curve.points.push_back({back, 1e-3 * t});
+  }
+  curve.points.push_back({-1, 0});
+  const Framed framed{CurveView(curve)};
+  for (std::uint32_t leaf = 0; leaf < framed.tree.leaves(); ++leaf) {
+    const auto met =
+        descended(framed, {0, leaf}, framed,
+                  {framed.tree.root().level % 2 == 0 ? framed.tree.root() : TreeNode{framed.tree.root().level - 1, 0}},
+                  ~0U)[leaf % nodes_at_once];
+    for (const TreeNode other : met) {
+      EXPECT_FALSE(
+          nothing_between({framed.tree.pyramid(), {}, framed.tree.all_flags(), false, false}, {0, leaf}, other));
+      EXPECT_GE(other.index, leaf);
+    }
   }
 }
 
