@@ -57,9 +57,10 @@ class Tracer {
       for (std::size_t k = first; k < last; ++k) required_[k] = bounded(requirements.required_parts(k) * reserve, k);
     };
     const auto by_tolerance = [&](std::size_t first, std::size_t last, const auto&) { mark_fine(first, last); };
-    while (rounds_ < options_.max_rounds &&
-           insert_where(against_guide, by_guide, [&](const TracedSegment& s) { return guided(s); })) {
+    const auto parts = [&](const TracedSegment& segment) { return guided(segment); };
+    while (rounds_ < options_.max_rounds && insert_where(against_guide, by_guide, parts)) {
     }
+    if (rounds_ == options_.max_rounds) (void)cuts(against_guide, by_guide, parts);  // for what they require
     if (!abandoned()) resample_evenly();
     required_.clear();
     verdicts_.assign(segments(), open);
