@@ -50,8 +50,10 @@ struct SelfTree {
   const std::uint8_t* flags;  ///< MonotoneFlags, laid out like the boxes
   bool closed;
   bool stalls;  ///< whether nodes that are points have to be left out
-  [[nodiscard]] std::uint32_t leaves() const { return boxes.size[0]; }
-  [[nodiscard]] std::uint8_t flags_of(TreeNode node) const { return flags[boxes.begin[node.level] + node.index]; }
+  [[nodiscard]] LOBER_INLINE std::uint32_t leaves() const { return boxes.size[0]; }
+  [[nodiscard]] LOBER_INLINE std::uint8_t flags_of(TreeNode node) const {
+    return flags[boxes.begin[node.level] + node.index];
+  }
 };
 
 /// Whether there is nothing to find between two nodes of it: the pair is found the other way round, or both are one
