@@ -83,18 +83,13 @@ struct FramedNodes {
 };
 
 /// For each of the nodes, the nodes of even levels of the tree that its frame may meet, out of the `count` ones of
-/// `list` and those below them: leaves, or such as are no larger than the node (by frame_size) if that is none. Those
-/// of node i go to met[i], and met_count[i] says how many. A candidate is left out only if a line along one of the two
-/// frames, or one across that of the node, certainly separates them, or for nothing_between. Frames that are not finite
-/// meet all. Returns the number of frames tested, or 0 if there was not memory for more than `capacity` nodes, at least
-/// `count` + 1, in each of met[0 .. 3].
+/// `list` and those below them: leaves, or such as are no larger than the node (in length and width together) if that
+/// is none. Those of node i go to met[i], and met_count[i] says how many. A candidate is left out only if a line along
+/// one of the two frames, or one across that of the node, certainly separates them, or for nothing_between. Frames that
+/// are not finite meet all. Returns the number of frames tested, or 0 if there was not memory for more than `capacity`
+/// nodes, at least `count` + 1, in each of met[0 .. 3].
 std::size_t descend_frames(const SelfTree& tree, const FramedNodes& nodes, const TreeNode* list, std::size_t count,
                            const std::array<TreeNode*, nodes_at_once>& met, std::size_t capacity,
                            std::array<std::size_t, nodes_at_once>& met_count);
-
-/// The measure of the size of a frame.
-[[nodiscard]] LOBER_INLINE double frame_size(const FourFrames& four, std::size_t which) {
-  return four.length[which] + four.width[which];
-}
 
 }  // namespace lober::detail

@@ -266,6 +266,8 @@ std::vector<std::size_t> ManifoldGrowth::refine(std::span<const std::uint32_t> s
   return added;
 }
 
+// On the side of negative parameters as LocalManifold::points_at with a negative reach: the same bits, and no parameter
+// has to be turned round.
 CurveFunction ManifoldGrowth::image(int generation) const {
   return [this, generation, coefficients = without_roundings(local_.coefficients)](std::span<const double> parameters,
                                                                                    std::span<Point> points) {

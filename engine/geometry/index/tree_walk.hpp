@@ -197,12 +197,12 @@ class TreeWalk {
 
   [[nodiscard]] std::size_t drop_apart(TreeNode node, TreeNode* list, std::size_t count) const {
     // Most are far along the curve, where there is nothing to ask.
-    const std::uint32_t end = node.index == 0 ? no_leaf : (node.index + 1) << node.level;
+    const std::uint32_t far = far_behind(node, node);
     std::size_t kept = 0;
     for (std::size_t k = 0; k < count; ++k) {
       const TreeNode candidate = list[k];
       list[kept] = candidate;
-      kept += static_cast<std::size_t>(candidate.index << candidate.level > end ||
+      kept += static_cast<std::size_t>(candidate.index << candidate.level >= far ||
                                        !nothing_between(tree_, node, candidate));
     }
     return kept;
@@ -217,10 +217,10 @@ class TreeWalk {
   }
 
   // Replaces nodes of the second tree that are larger than `node` of the first by those below them that meet it; at a
-  // leaf, down to the leaves. go(from, number, kept, split) does so once, for a list, and returns how many it has put
-  // into `kept` and how many into `split`, to be looked at again.
-  template <typename Go>
-  void split(TreeNode node, Buffer<TreeNode>& list, std::size_t& count, SearchCounts& counts, const Go& go) const {
+  // leaf, down to the leaves.
+  void split_to_size(TreeNode node, Buffer<TreeNode>& list, std::size_t& count, SearchCounts& counts) const {
+    const Box& box = first_.box(node);
+    const double largest = node.level == 0 ? -1 : box.extent();
     if (stalls_) drop_points(node, list, count);
     thread_local Buffer<TreeNode> waiting, below;
     std::size_t kept = 0, waiting_count = count;
@@ -229,7 +229,10 @@ class TreeWalk {
     while (waiting_count > 0) {
       ensure_size(list, kept + nodes_at_once * waiting_count + 1);
       ensure_size(below, nodes_at_once * waiting_count + 1);
-      const SplitCounts done = go(waiting.data(), waiting_count, &list[kept], below.data());
+      SplitCounts done =
+          refine(box, largest, second_.pyramid(), waiting.data(), waiting_count, &list[kept], below.data());
+      counts.boxes_tested += nodes_at_once * (waiting_count - done.kept);
+      if (self_) done.split = drop_apart(node, below.data(), done.split);
       kept += done.kept;
       waiting.swap(below);
       waiting_count = done.split;
@@ -237,17 +240,6 @@ class TreeWalk {
       drop_beside(node, waiting, waiting_count, counts);
     }
     count = kept;
-  }
-
-  void split_to_size(TreeNode node, Buffer<TreeNode>& list, std::size_t& count, SearchCounts& counts) const {
-    const Box& box = first_.box(node);
-    const double largest = node.level == 0 ? -1 : box.extent();
-    split(node, list, count, counts, [&](const TreeNode* from, std::size_t number, TreeNode* kept, TreeNode* below) {
-      SplitCounts done = refine(box, largest, second_.pyramid(), from, number, kept, below);
-      counts.boxes_tested += nodes_at_once * (number - done.kept);
-      if (self_) done.split = drop_apart(node, below, done.split);
-      return done;
-    });
   }
 
   // The same by frames, for a curve with itself; the list is not empty.
