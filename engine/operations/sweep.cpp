@@ -236,6 +236,11 @@ class Sweeper {
     found.parameter = range_.name;
     if (how_.find_zeros && found.zeros.empty()) found.no_zero = no_zero_text(found);
     if (how_.melnikov) add_first_order(found);
+    for (const auto& [name, value] : input_.given) {
+      if (name != range_.name) continue;
+      found.remarks.push_back(name + " = " + format_rounded(value) +
+                              " was given, but is not used: the values are those of the range " + *how_.range);
+    }
     if (!range_.reaches) {
       found.remarks.push_back("the step of " + *how_.range +
                               " is longer than its range, so there is one value; give NAME=FIRST:LAST:STEP with a "

@@ -12,6 +12,7 @@ SystemInput system_input(const std::string& name, const ParameterValues& values,
   if (!system.info.library.empty()) system.info.library_sha256 = sha256_of_file(system.info.library);
   input.system = std::make_shared<const System>(std::move(system));
   input.integration = integration;
+  input.given = values;
   input.with = [name, values, integration](const ParameterValues& changed) {
     ParameterValues all = values;
     for (const auto& other : changed) {

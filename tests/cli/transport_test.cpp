@@ -235,6 +235,15 @@ TEST_F(TransportCommand, MelnikovsFunctionOfTheDuffingOscillator) {
   EXPECT_NE(table.out.find("lobes on the left of U: first order 0.354130"), std::string::npos) << table.out;
 }
 
+TEST_F(TransportCommand, AValueOfTheParameterThatIsSweptIsRemarkedOn) {
+  const Outcome one =
+      transport({"henon", "--param", "k=0.7", "--sweep", "k=1.02:1.12:0.1", "--tolerance", "1e-3", "--json", "-"});
+  EXPECT_EQ(one.status, 0) << one.err;
+  const std::string remark = "k = 0.7 was given, but is not used: the values are those of the range k=1.02:1.12:0.1";
+  EXPECT_NE(one.err.find(remark), std::string::npos) << one.err;
+  EXPECT_NE(one.out.find(remark), std::string::npos) << one.out;
+}
+
 TEST_F(TransportCommand, AStepLongerThanTheRangeIsRemarkedOn) {
   const Outcome one = transport({"henon", "--sweep", "k=1.02:1.5:200", "--tolerance", "1e-3"});
   EXPECT_EQ(one.status, 0) << one.err;

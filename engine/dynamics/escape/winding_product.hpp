@@ -15,7 +15,7 @@ struct CommonWindingArea {
 /// The integral of the product of both winding numbers, |.|: for curves that may cross themselves, have corners and go
 /// to and fro. It is computed for the polygons with all vertices and with every second one; the error of polygons,
 /// which goes with the square of the length of segments, is extrapolated away; the error bar is the whole difference of
-/// the two, or half of that to every fourth vertex where it is more.
+/// the two, for either half of the vertices, or half of that to every fourth vertex where it is more.
 [[nodiscard]] CommonWindingArea common_area_by_winding(const ClosedCurve& first, const ClosedCurve& second);
 
 }  // namespace lober::detail

@@ -38,6 +38,7 @@ struct InputSpec {
 struct SystemInput {
   std::shared_ptr<const System> system;  ///< the system
   IntegrationOptions integration{};      ///< options with which it was made
+  ParameterValues given{};               ///< parameters whose values were given; others have the system's own
   /// The same system with other values of some parameters; empty where the parameters cannot be changed.
   std::function<System(const ParameterValues& changed)> with{};
 };
