@@ -56,9 +56,10 @@ std::string escape_rows(const Escape& result, int n) {
   const Table table = crossings_table("leaves after crossing n, %");
   if (n == 1) text += "\n" + table.head();
   for (const EscapeFraction& row : result.table) {
-    if (row.crossings != n) continue;
-    text += table.row({std::to_string(n), names[row.entry], names[row.exit], percent(row.fraction, row.error)},
-                      row.cut ? "  of cut curves" : "");
+    if (row.crossings != n && !(n == 1 && row.crossings == 0)) continue;
+    text +=
+        table.row({std::to_string(row.crossings), names[row.entry], names[row.exit], percent(row.fraction, row.error)},
+                  row.cut ? "  of cut curves" : "");
   }
   return text;
 }

@@ -184,6 +184,10 @@ std::string no_zero_text(const SystemSweep& found) {
            "; give a range of more values";
   }
   const bool gaps = !std::all_of(first, last.base(), is_known);
+  if (first->difference * last->difference < 0) {
+    return "no zero of " + quantity + " was found: it changes sign between " + at(*first) + ", and " + at(*last) +
+           ", but where it does it is not known, or the pips cannot be followed; give a range of other values";
+  }
   return "no zero of " + quantity + " was found: it does not change sign between " + at(*first) + ", and " + at(*last) +
          (gaps ? ", as far as it is known in between" : "") + "; give another range, or a smaller step";
 }

@@ -19,9 +19,11 @@ class FractionTable {
  public:
   FractionTable(const Flow& flow, Escape& result) : flow_(flow), result_(result) {}
 
-  /// Adds the rows of this number of crossings, which are not known yet.
+  /// Adds the rows of this number of crossings, which are not known yet; with those of one also those of none, of
+  /// trajectories that cross against the direction that counts and leave.
   void lay_out_rows(int wanted);
-  /// Measures the rows that the curves determine and that have not been reported yet. Returns the work.
+  /// Measures the rows that the curves determine and that have not been reported yet; those of no crossings stay where
+  /// anything leaves so. Returns the work.
   double measure();
   /// Compares everything known anew: areas, fractions by two splits and by symmetries, and their sums.
   void compare();
@@ -39,6 +41,8 @@ class FractionTable {
   void measure(EscapeFraction& row, std::atomic<std::uint64_t>& nodes) const;
 
   void compare_sums(Agreement& agreement) const;
+  void compare_sums_by_exit(Agreement& agreement) const;
+  void compare_cut_areas(Agreement& agreement) const;
   void compare_by(const EscapeSymmetry& symmetry, const EscapeFraction& row, Agreement& agreement) const;
   static std::string split_text(int forward, int backward);
 

@@ -18,4 +18,7 @@ struct CommonWindingArea {
 /// the two, for either half of the vertices, or half of that to every fourth vertex where it is more.
 [[nodiscard]] CommonWindingArea common_area_by_winding(const ClosedCurve& first, const ClosedCurve& second);
 
+/// The integral of the winding number, |.|, in the same way, with no nodes.
+[[nodiscard]] CommonWindingArea area_by_winding(const ClosedCurve& curve);
+
 }  // namespace lober::detail

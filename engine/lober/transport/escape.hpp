@@ -104,7 +104,9 @@ struct Escape {
   /// Saddles of rank 1 below the energy that are not bottlenecks here, from a search on a grid about the bottlenecks:
   /// trajectories that leave the well by these count as not left.
   std::vector<SaddlePoint> also_open;
-  std::vector<EscapeFraction> table;    ///< ordered by entry, exit, m; 1 <= n <= options.crossings
+  /// Ordered by entry, exit, m; 1 <= n <= options.crossings, and n = 0 where trajectories leave before the first
+  /// crossing that counts.
+  std::vector<EscapeFraction> table;
   int crossings = 0;                    ///< n up to which the table goes
   EscapeStop stop = EscapeStop::done;   ///< why it does not go further
   double points_ahead = 0;              ///< points that the next image was expected to need where it stopped

@@ -4,9 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <string>
+#include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "lober/base/error.hpp"
@@ -174,6 +177,40 @@ TEST(Escape, BarsCoverWhatOneHalfOfTheVerticesHides) {
   const Escape result = escape(*ship().flow, *ship().section, 0.265, ship().saddles, options);
   EXPECT_EQ(result.crossings, 6);
   EXPECT_TRUE(result.agreement.agrees());
+}
+
+// A quarter of what enters by the second bottleneck leaves by the first against the direction that counts.
+TEST(Escape, CountsWhatLeavesBeforeTheFirstCrossing) {
+  EscapeOptions options;
+  options.crossings = 1;
+  const Escape result = escape(*ship().flow, *ship().section, 0.4, ship().saddles, options);
+  ASSERT_EQ(result.table.size(), 5U);
+  const EscapeFraction& row = result.table[2];
+  EXPECT_EQ(row.crossings, 0);
+  EXPECT_EQ(row.iterates, 0);
+  EXPECT_EQ(row.entry, 1U);
+  EXPECT_EQ(row.exit, 0U);
+  EXPECT_NEAR(row.fraction, result.table[1].fraction, row.error + result.table[1].error);  // the mirror image
+  double left = 0;
+  for (std::size_t k = 2; k < 5; ++k) left += result.table[k].fraction;
+  EXPECT_NEAR(survival(result, 1).at(0).remains, 1 - left, 1e-15);
+  EXPECT_TRUE(result.agreement.agrees());
+  // At the ship's own energy nothing does.
+  EXPECT_EQ(escape(*ship().flow, *ship().section, ship_energy, ship().saddles, options).table.size(), 4U);
+}
+
+// The section off the middle is tangent to trajectories, and tears images; splits agree, as both are of such curves.
+TEST(Escape, SaysWhereTheSectionTearsImages) {
+  EscapeOptions options;
+  options.crossings = 2;
+  for (const double x : {0.12, 0.15, -0.15}) {
+    const Section section = position_section(*ship().flow, 0, x, 1);
+    const Escape result = escape(*ship().flow, section, 0.26, ship().saddles, options);
+    const std::vector<Comparison> disagreements = result.agreement.disagreements();
+    EXPECT_TRUE(std::any_of(disagreements.begin(), disagreements.end(), [](const Comparison& comparison) {
+      return comparison.what.find("cut image 2") != std::string::npos;
+    })) << x;
+  }
 }
 
 // Twice cut curves have jumps where they wind about an orbit; energies at which half of the table is made of them.
