@@ -206,9 +206,9 @@ class Bottleneck:
 class Escape(Result):
     """The result of `escape`.
 
-    `table` is a structured array with fields `entry`, `exit` (numbers of bottlenecks), `crossings`, `iterates`,
-    `fraction`, `error`, and `other`, `other_error`, the same from another split; NaN where it is not known. `stop` says
-    why it goes to `crossings` only: done, points, work, budget or lost. `also_open` holds saddles below the energy that
+    `table` is a structured array with fields `entry`, `exit` (numbers of bottlenecks), `crossings` (0: before the first
+    one), `iterates`, `fraction`, `error`, and `other`, `other_error`, the same from another split; NaN where it is not
+    known. `stop` says why it goes to `crossings` only: done, points, work, budget or lost. `also_open` holds saddles below the energy that
     are none of the system's, as states: what leaves by these is not in the table. `survival` is a structured array with
     fields `entry`, `crossings` (n), `left` (the fractions that have left by each exit up to n), `remains` and `error`, as
     far as all fractions are known.
