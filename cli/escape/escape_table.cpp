@@ -2,6 +2,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cli/escape/escape_report.hpp"
@@ -56,7 +57,7 @@ std::string escape_rows(const Escape& result, int n) {
   const Table table = crossings_table("leaves after crossing n, %");
   if (n == 1) text += "\n" + table.head();
   for (const EscapeFraction& row : result.table) {
-    if (row.crossings != n && !(n == 1 && row.crossings == 0)) continue;
+    if (std::max(row.crossings, 1) != n) continue;
     text +=
         table.row({std::to_string(row.crossings), names[row.entry], names[row.exit], percent(row.fraction, row.error)},
                   row.cut ? "  of cut curves" : "");

@@ -183,11 +183,11 @@ std::string no_zero_text(const SystemSweep& found) {
     return "no zero of " + quantity + " was looked for: it is known at one value only, " + at(*first) +
            "; give a range of more values";
   }
-  const bool gaps = !std::all_of(first, last.base(), is_known);
   if (first->difference * last->difference < 0) {
     return "no zero of " + quantity + " was found: it changes sign between " + at(*first) + ", and " + at(*last) +
            ", but where it does it is not known, or the pips cannot be followed; give a range of other values";
   }
+  const bool gaps = !std::all_of(first, last.base(), is_known);
   return "no zero of " + quantity + " was found: it does not change sign between " + at(*first) + ", and " + at(*last) +
          (gaps ? ", as far as it is known in between" : "") + "; give another range, or a smaller step";
 }

@@ -208,10 +208,10 @@ class Escape(Result):
 
     `table` is a structured array with fields `entry`, `exit` (numbers of bottlenecks), `crossings` (0: before the first
     one), `iterates`, `fraction`, `error`, and `other`, `other_error`, the same from another split; NaN where it is not
-    known. `stop` says why it goes to `crossings` only: done, points, work, budget or lost. `also_open` holds saddles below the energy that
-    are none of the system's, as states: what leaves by these is not in the table. `survival` is a structured array with
-    fields `entry`, `crossings` (n), `left` (the fractions that have left by each exit up to n), `remains` and `error`, as
-    far as all fractions are known.
+    known. `stop` says why it goes to `crossings` only: done, points, work, budget or lost. `also_open` holds saddles
+    below the energy that are none of the system's, as states: what leaves by these is not in the table. `survival` is a
+    structured array with fields `entry`, `crossings` (n), `left` (the fractions that have left by each exit up to n),
+    `remains` and `error`, as far as all fractions are known.
     """
 
     energy: float

@@ -28,8 +28,7 @@ void FractionTable::lay_out_rows(int wanted) {
         const int here = m % 2 == 0 ? start : -start;
         n += here == result_.section.direction;
         if (n > wanted) break;
-        const bool is_wanted = n == wanted || (wanted == 1 && n == 0);
-        if (!is_wanted || here != bottlenecks[j].exit[0].direction) continue;
+        if (std::max(n, 1) != wanted || here != bottlenecks[j].exit[0].direction) continue;
         EscapeFraction row;
         row.entry = i;
         row.exit = j;
@@ -167,16 +166,13 @@ void FractionTable::compare_cut_areas(Agreement& agreement) const {
     const std::vector<TubeCurve>& curves = entry ? bottleneck.entry : bottleneck.exit;
     for (std::size_t k = 0; k < curves.size(); ++k) {
       if (!curves[k].cut) continue;
-      double held = 1, error = 0;
-      bool known = true;
+      double held = 1, error = 0;  // NaN, which is compared with nothing, where a row is not known
       for (const EscapeFraction& row : result_.table) {
         if ((entry ? row.entry : row.exit) != number || row.iterates >= static_cast<int>(k)) continue;
-        known = known && row.is_known();
         const double area = result_.bottlenecks[row.entry].area / bottleneck.area;
         held -= row.fraction * area;
         error += row.error * area;
       }
-      if (!known) return;
       const CommonWindingArea own = area_by_winding(curves[k].view());
       const double area = own.area / bottleneck.area;
       error += (own.error + curves[k].cut_off + curves[k].displacement_area) / bottleneck.area;
@@ -242,8 +238,7 @@ std::vector<Survival> survival(const Escape& result, std::size_t entry) {
   for (int n = 1;; ++n) {
     bool any = false;
     for (const EscapeFraction& part : result.table) {
-      const bool is_new = part.crossings == n || (n == 1 && part.crossings == 0);
-      if (part.entry != entry || !is_new) continue;
+      if (part.entry != entry || std::max(part.crossings, 1) != n) continue;
       if (!part.is_known()) return steps;
       any = true;
       sum.left[part.exit] += part.fraction;
