@@ -77,9 +77,10 @@ struct AreaSum {
 // classes of the arcs that follow. The segment of a contact belongs to the arc after it, and its term makes up for
 // that. Returns the number of segments of positive length that stay straight.
 template <typename SegmentOf, typename TermOf>
-std::uint64_t add_by_class(const SmoothCurve& curve, const SegmentOf& segment_of, const TermOf& term_of,
+std::uint64_t add_by_class(CurveToAdd to_add, const SegmentOf& segment_of, const TermOf& term_of,
                            std::span<const std::uint8_t> class_after, ClassSums& sums) {
   constexpr std::size_t segments_a_block = 2048;
+  const SmoothCurve& curve = to_add.curve;
   const std::size_t size = curve.segments(), count = class_after.size();
   std::vector<ClassSums> parts((size + segments_a_block - 1) / segments_a_block);
   std::vector<std::uint64_t> straight(parts.size());
@@ -98,6 +99,7 @@ std::uint64_t add_by_class(const SmoothCurve& curve, const SegmentOf& segment_of
     for (std::size_t first = begin; first < end; first += SmoothCurve::Few::most) {
       const std::size_t last = std::min(first + SmoothCurve::Few::most, end);
       curve.fit(first, last, few);
+      to_add.boxes.add(first, last);
       straight[begin / segments_a_block] += few.straight;
       std::size_t from = first;
       for (; next < count; ++next) {
@@ -116,6 +118,7 @@ std::uint64_t add_by_class(const SmoothCurve& curve, const SegmentOf& segment_of
     }
     for (std::size_t k = 0; k < arc_classes; ++k) parts[begin / segments_a_block][k] = of_block[k].value();
   });
+  to_add.boxes.join();
   for (const ClassSums& part : parts) {
     for (std::size_t k = 0; k < arc_classes; ++k) sums[k] = sums[k] + part[k];
   }
@@ -123,7 +126,7 @@ std::uint64_t add_by_class(const SmoothCurve& curve, const SegmentOf& segment_of
 }
 
 // A curve that meets no other.
-ChordArea add_whole(const SmoothCurve& curve, std::uint64_t& straight) {
+ChordArea add_whole(CurveToAdd curve, std::uint64_t& straight) {
   ClassSums sums;
   const auto segment_of = [](std::size_t) { return std::size_t{0}; };
   const auto term_of = [](std::size_t) { return 0.0; };
@@ -192,8 +195,7 @@ ChordArea operator-(const ChordArea& a, const ChordArea& b) {
   return {a.area - b.area, a.error + b.error};
 }
 
-RegionChordAreas chord_areas_of_regions(const Crossings& nodes, const ArcEnds& ends, const SmoothCurve& c1,
-                                        const SmoothCurve& c2) {
+RegionChordAreas chord_areas_of_regions(const Crossings& nodes, const ArcEnds& ends, CurveToAdd c1, CurveToAdd c2) {
   const NodeGraph& graph = graph_of(nodes);
   const ArcClasses classes(nodes);
   ClassSums arcs1, arcs2;
@@ -216,7 +218,7 @@ RegionChordAreas chord_areas_of_regions(const Crossings& nodes, const ArcEnds& e
   return areas;
 }
 
-RegionChordAreas chord_areas_apart(const Overlay& result, const SmoothCurve& curve1, const SmoothCurve& curve2) {
+RegionChordAreas chord_areas_apart(const Overlay& result, CurveToAdd curve1, CurveToAdd curve2) {
   RegionChordAreas areas;
   const ChordArea c1 = turned(add_whole(curve1, areas.straight), result.nodes.clockwise1());
   const ChordArea c2 = turned(add_whole(curve2, areas.straight), result.nodes.clockwise2());

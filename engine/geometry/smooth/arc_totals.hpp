@@ -6,6 +6,7 @@
 #pragma once
 
 #include "engine/geometry/crossings/node_graph.hpp"
+#include "engine/geometry/smooth/arc_boxes.hpp"
 #include "engine/geometry/smooth/chord_areas.hpp"
 #include "lober/overlay/overlay.hpp"
 
@@ -26,13 +27,19 @@ struct RegionChordAreas {
   std::uint64_t straight = 0;  ///< segments of positive length that stay straight
 };
 
+/// A smooth curve with the boxes that the passes below fill in as they go.
+struct CurveToAdd {
+  const SmoothCurve& curve;
+  ArcBoxes& boxes;
+};
+
 /// Curves that meet in nodes. A shared arc counts with the chord-to-arc areas of C1 on both curves. O(n + contacts),
 /// parallel.
-[[nodiscard]] RegionChordAreas chord_areas_of_regions(const Crossings& nodes, const ArcEnds& ends,
-                                                      const SmoothCurve& c1, const SmoothCurve& c2);
+[[nodiscard]] RegionChordAreas chord_areas_of_regions(const Crossings& nodes, const ArcEnds& ends, CurveToAdd c1,
+                                                      CurveToAdd c2);
 
 /// Curves without nodes: apart, one inside the other, or one and the same (then C1 counts for both). O(n), parallel.
-[[nodiscard]] RegionChordAreas chord_areas_apart(const Overlay& result, const SmoothCurve& c1, const SmoothCurve& c2);
+[[nodiscard]] RegionChordAreas chord_areas_apart(const Overlay& result, CurveToAdd c1, CurveToAdd c2);
 
 /// The contacts by which C2 comes to a node and leaves it.
 inline std::uint32_t enters2(const NodeSpan& span) {

@@ -11,6 +11,7 @@
 #include "engine/geometry/curve/scaled.hpp"
 #include "engine/geometry/smooth/arc_totals.hpp"
 #include "engine/geometry/smooth/chord_areas.hpp"
+#include "engine/geometry/smooth/near_misses.hpp"
 #include "engine/geometry/smooth/smooth_crossing.hpp"
 
 namespace lober {
@@ -23,14 +24,24 @@ class Builder {
  public:
   // Areas of these curves times 2^exponent are those of the result.
   Builder(const Overlay& result, CurveView c1, CurveView c2, int exponent)
-      : result_(result), graph_(graph_of(result.nodes)), c1_(c1), c2_(c2), exponent_(exponent) {}
+      : result_(result),
+        graph_(graph_of(result.nodes)),
+        c1_(c1),
+        c2_(c2),
+        boxes1_(c1_),
+        boxes2_(c2_),
+        exponent_(exponent) {}
 
   SmoothAreas build() {
     move_crossings();
     restore_order();
     end_arcs_put_back();
-    const RegionChordAreas chord_areas = graph_.size() > 0 ? chord_areas_of_regions(result_.nodes, ends_, c1_, c2_)
-                                                           : chord_areas_apart(result_, c1_, c2_);
+    const CurveToAdd first{c1_, boxes1_}, second{c2_, boxes2_};
+    RegionChordAreas chord_areas = graph_.size() > 0 ? chord_areas_of_regions(result_.nodes, ends_, first, second)
+                                                     : chord_areas_apart(result_, first, second);
+    const double hidden = hidden_where_polygons_miss();
+    for (ChordArea* const area : {&chord_areas.only1, &chord_areas.only2, &chord_areas.both, &chord_areas.union_})
+      area->error += hidden;
     SmoothAreas smooth;
     smooth.fallback_segments = chord_areas.straight;
     smooth.fallback_crossings = unmoved_;
@@ -145,12 +156,13 @@ class Builder {
   [[nodiscard]] bool overtakes(const Buffer<double>& at, std::uint32_t contact, std::uint32_t next,
                                bool on_first) const {
     if (at[contact] <= at[next]) return false;
-    const auto before = [&](std::uint32_t k) {
-      const Contact here = graph_.contacts[k];
-      return on_first ? here.segment1 + here.t1.hi : here.segment2 + here.t2.hi;
-    };
-    const double turn = before(next) < before(contact) ? static_cast<double>((on_first ? c1_ : c2_).segments()) : 0;
-    return at[contact] > at[next] + turn;
+    const bool first_vertex = polygon_position(next, on_first) < polygon_position(contact, on_first);
+    return at[contact] > at[next] + (first_vertex ? static_cast<double>((on_first ? c1_ : c2_).segments()) : 0);
+  }
+  // Where a contact of the polygons is along one of them.
+  [[nodiscard]] double polygon_position(std::uint32_t contact, bool on_first) const {
+    const Contact here = graph_.contacts[contact];
+    return on_first ? here.segment1 + here.t1.hi : here.segment2 + here.t2.hi;
   }
   // Ranks beside those that are put back become suspects. Whether any had been moved.
   bool put_back(std::uint32_t node, std::uint32_t other, std::vector<std::uint64_t>& suspects) {
@@ -188,6 +200,32 @@ class Builder {
     });
   }
 
+  // Twice the area of lobes that smooth curves make where their polygons pass by each other.
+  [[nodiscard]] double hidden_where_polygons_miss() const {
+    if (result_.nodes.same_curve()) return 0;
+    NodeSegments about1(c1_.segments()), about2(c2_.segments());
+    for_each_block(graph_.size(), smooth_nodes_a_task, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        const NodeSpan span = graph_.span(static_cast<std::uint32_t>(k));
+        add(about1, at1_, span.first, span.last, true);
+        add(about2, at2_, enters2(span), leaves2(span), false);
+      }
+    });
+    about1.join();
+    about2.join();
+    return hidden_area({c1_, boxes1_, about1}, {c2_, boxes2_, about2});
+  }
+  // The segments of one curve about a node, which begins and ends at these contacts along it.
+  void add(NodeSegments& about, const Buffer<double>& at, std::uint32_t first, std::uint32_t last,
+           bool on_first) const {
+    const double begin = polygon_position(first, on_first), end = polygon_position(last, on_first);
+    const double turn = end < begin ? static_cast<double>((on_first ? c1_ : c2_).segments()) : 0;
+    about.add(begin, at[first]);
+    if (first == last) return;
+    about.add(begin, end + turn);
+    about.add(end, at[last]);
+  }
+
   // An area that comes out negative is one that smooth curves do not enclose.
   void add(double Areas::*member, const ChordArea& chord_area, SmoothAreas& smooth) const {
     const auto half = [&](double twice) { return scaled_area(twice, exponent_ - 1); };
@@ -200,6 +238,7 @@ class Builder {
   const Overlay& result_;
   const NodeGraph& graph_;
   SmoothCurve c1_, c2_;
+  ArcBoxes boxes1_, boxes2_;
   int exponent_;
   Buffer<char> moved_;              // by node
   std::uint64_t unmoved_ = 0;       // crossings that should have been moved

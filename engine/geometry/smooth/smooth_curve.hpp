@@ -23,6 +23,10 @@ class SmoothCurve {
     if (k >= 0 && k < size_) return view_.points[static_cast<std::size_t>(k)];
     return beyond(k);
   }
+  /// Vertices from k on if they lie in a row; else nothing.
+  [[nodiscard]] const Point* points(std::int64_t k, std::size_t count) const {
+    return k < 0 || k + static_cast<std::int64_t>(count) > size_ ? nullptr : view_.points.data() + k;
+  }
   /// The eight vertices about a segment if they lie in a row; else nothing, and segment() has to look for them, as it
   /// has where two neighbours among them coincide.
   [[nodiscard]] const Point* window(std::int64_t k) const {

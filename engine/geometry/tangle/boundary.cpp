@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "engine/base/text.hpp"
 #include "engine/geometry/crossings/crossings_data.hpp"
 #include "engine/geometry/curve/require.hpp"
 #include "engine/geometry/tangle/gaps.hpp"
@@ -102,7 +103,8 @@ BoundaryCrossings crossings_with_lobes(const Tangle& tangle) {
 
 }  // namespace
 
-std::size_t choose_bip(const std::vector<Pip>& pips, const TangleOptions& options) {
+std::size_t choose_bip(const Tangle& tangle, const TangleOptions& options) {
+  const std::vector<Pip>& pips = tangle.pips;
   if (options.bip && options.bip_near)
     throw UsageError("the bip is given twice, by number and by position; give one of them");
   if (options.bip) {
@@ -113,11 +115,16 @@ std::size_t choose_bip(const std::vector<Pip>& pips, const TangleOptions& option
     return *options.bip;
   }
   if (!options.bip_near) return pips.size() / 2;
-  const auto distance = [&](const Pip& pip) {
-    return std::hypot(pip.at.x - options.bip_near->x, pip.at.y - options.bip_near->y);
-  };
-  const auto nearest =
-      std::min_element(pips.begin(), pips.end(), [&](const Pip& x, const Pip& y) { return distance(x) < distance(y); });
+  const Point asked = *options.bip_near;
+  const auto nearest = std::min_element(pips.begin(), pips.end(), [&](const Pip& x, const Pip& y) {
+    return distance(x.at, asked) < distance(y.at, asked);
+  });
+  const double far =
+      std::max(distance(nearest->at, tangle.u().points.front()), distance(nearest->at, tangle.s().points.front()));
+  if (distance(nearest->at, asked) > far) {
+    throw UsageError("no pip lies near the bip asked for, " + format_point(asked) + ": the nearest one is " +
+                     format_point(nearest->at) + ", which is nearer to where the manifolds begin");
+  }
   return static_cast<std::size_t>(nearest - pips.begin());
 }
 

@@ -5,8 +5,9 @@
 
 namespace lober::detail {
 
-/// The number of the pip that the options ask for. Throws UsageError if it does not exist. There must be a pip.
-[[nodiscard]] std::size_t choose_bip(const std::vector<Pip>& pips, const TangleOptions& options);
+/// The number of the pip that the options ask for. Throws UsageError if it does not exist, or lies farther from the
+/// point that was given than from where U and S begin. There must be a pip.
+[[nodiscard]] std::size_t choose_bip(const Tangle& tangle, const TangleOptions& options);
 
 /// The path that closes the boundary, from p+ to p-, at the scale of TangleCurves.
 [[nodiscard]] std::vector<Point> closing_path(const Tangle& tangle);

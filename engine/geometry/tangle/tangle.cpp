@@ -146,7 +146,7 @@ Tangle find_tangle(const Given& given_u, const Given& given_s, const TangleOptio
                                     : "the manifolds do not cross: no pip, no lobe, no boundary");
   } else {
     if (pips.size() == 1) result.remarks.emplace_back("one pip only: a boundary, but no lobe");
-    result.boundary = Boundary{.bip = choose_bip(result.pips, options)};
+    result.boundary = Boundary{.bip = choose_bip(result, options)};
     if (result.nodes.touches() + result.nodes.shared_arcs() > 0) mark_pinched_lobes(result);
     if (options.parts) bound_lobes(result);
   }

@@ -24,7 +24,7 @@ struct SmoothAreas {
   Areas areas;  ///< the areas
   /// Estimates of |areas - area of the smooth curves that the points were taken from|, on the safe side: for each arc
   /// three times the change that the next two vertices would make (kernels/smooth_segment.hpp), without regard to
-  /// signs; the area that an unmoved crossing may hide; rounding.
+  /// signs; the area that an unmoved crossing may hide, and that of lobes where only the smooth curves cross; rounding.
   Areas error;
   std::uint64_t fallback_segments = 0;   ///< segments of both curves, not of length zero, that stay straight
   std::uint64_t fallback_crossings = 0;  ///< crossings at a point that stay where the polygons have them, for lack of a
@@ -32,9 +32,9 @@ struct SmoothAreas {
 };
 
 /// The smooth areas that belong to a result of `overlay` (pieces are not needed). The topology is that of the polygons:
-/// crossings of smooth curves whose polygons do not meet there are not found. A shared arc stays shared, with the
-/// geometry of C1. Throws DataError when coordinates range too widely. O(n + m), parallel; the same bits for any number
-/// of threads.
+/// crossings of smooth curves whose polygons pass by each other are not found; what they enclose is in the error. A
+/// shared arc stays shared, with the geometry of C1. Throws DataError when coordinates range too widely. O(n + m),
+/// parallel; the same bits for any number of threads.
 [[nodiscard]] LOBER_API SmoothAreas smooth_areas(const Overlay& result);
 
 /// The area of one smooth curve.

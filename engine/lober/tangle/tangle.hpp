@@ -104,7 +104,8 @@ struct Images {
 struct TangleOptions {
   IndexKind index = IndexKind::automatic;  ///< index that proposes which segments can meet; results do not depend on it
   std::optional<std::size_t> bip{};        ///< number of the pip; default floor(n / 2)
-  std::optional<Point> bip_near{};         ///< instead of `bip`, the pip nearest to this point
+  /// Instead of `bip`, the pip nearest to this point; not one that is nearer to where both manifolds begin.
+  std::optional<Point> bip_near{};
   /// Corners of the path from p+ to p- that closes the boundary, without p+ and p-: walls, an axis; none: the chord.
   std::vector<Point> closure{};
   std::uint32_t period = 0;  ///< pips from one to its image; 0: infer it

@@ -4,6 +4,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,7 @@ class Refinement {
     for (const SweepValue* const end : {&first, &last}) {
       if (end->known) known_.emplace_back(end->row.value, *end->known);
     }
+    resolved_ = std::numeric_limits<double>::epsilon() * (high_.value - low_.value);
   }
 
   SweepZero run() {
@@ -39,7 +41,7 @@ class Refinement {
       solve(false);
     }
     // Ends closer than asked for differ by what the integration leaves, no longer by the zero.
-    zero_.width = std::max(high_.value - low_.value, 0.25 * tolerance_ * std::fabs(zero_.value));
+    zero_.width = std::max({high_.value - low_.value, 0.25 * tolerance_ * std::fabs(zero_.value), resolved_});
     const double least_end = std::min(std::fabs(from_.difference), std::fabs(to_.difference));
     if (zero_.failure.empty() && std::fabs(zero_.difference) > 0.1 * least_end) {
       zero_.failure = "the difference jumps there: it belongs to other pips on either side";
@@ -60,7 +62,9 @@ class Refinement {
       if (difference * high_.difference >= 0) high_ = {value, difference};
       return difference;
     };
-    const auto narrow = [&](double a, double b) { return b - a <= tolerance_ * std::max(std::fabs(a), std::fabs(b)); };
+    const auto narrow = [&](double a, double b) {
+      return b - a <= std::max(tolerance_ * std::max(std::fabs(a), std::fabs(b)), resolved_);
+    };
     std::uintmax_t max_evaluations = 60;
     try {
       boost::math::tools::toms748_solve(difference_at, from_.value, to_.value, from_.difference, to_.difference, narrow,
@@ -118,6 +122,7 @@ class Refinement {
   const Family& family_;
   const std::function<SweepValue(double)>& row_at_;
   double tolerance_;
+  double resolved_ = 0;  // what rounding of the difference leaves of the interval, also about a zero that is 0
   SweepZero zero_;
   End from_{}, to_{}, low_{}, high_{};
   std::vector<End> scratch_;

@@ -170,8 +170,9 @@ TangleGrowth::Halfway TangleGrowth::halfway() const {
     return result;
   };
   const std::vector<double> along_u = lengths(u_, &Pip::u), along_s = lengths(s_, &Pip::s);
-  // Two that are as near as rounding can tell, as mirror images are: the first along U.
-  constexpr double nearer = 1e-6;
+  // Two that are mirror images are equally near, and polygons of whatever tolerance must not say otherwise: of those
+  // that differ by a hundredth of the lengths, the first along U.
+  constexpr double nearer = 0.01;
   Halfway best{0, std::numeric_limits<double>::infinity()};
   for (std::size_t pip = 0; pip < found_.pips.size(); ++pip) {
     const double ahead = elementary::log(along_u[pip] / along_s[pip]);

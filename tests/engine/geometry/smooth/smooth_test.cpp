@@ -267,15 +267,68 @@ TEST(Smooth, CurvesThatDoNotMeet) {
   expect_near(smooth_of(inner, aside).areas, from(pi, pi, 0), 1e-10);
 }
 
+TEST(Smooth, LobesThatPolygonsMissAreInTheBar) {
+  // Circles apart, and one within the other one: no polygon crosses another one, but the circles do.
+  const double distance = 1.999;
+  const SmoothAreas apart = smooth_of(sample(ellipse(0, 0, 1, 1), 50), sample(ellipse(distance, 0, 1, 1), 30));
+  const Areas exact = lens(distance);
+  EXPECT_EQ(apart.areas.intersection, 0);
+  for (const auto member : {&Areas::intersection, &Areas::c1_minus_c2, &Areas::c2_minus_c1, &Areas::union_}) {
+    EXPECT_LE(std::fabs(apart.areas.*member - exact.*member), apart.error.*member);
+  }
+  EXPECT_LT(apart.error.intersection, 2 * exact.intersection);
+  const double out = 5e-4;
+  const SmoothAreas within = smooth_of(sample(ellipse(1 + out, 0, 1, 1), 50, 0.5), sample(ellipse(0, 0, 2, 2), 4000));
+  // The crescent outside the larger circle: half-angles at both centres.
+  const double d = 1 + out, x = (d * d + 3) / (2 * d), y = std::sqrt(4 - x * x);
+  const double large = std::atan2(y, x), small = std::atan2(y, x - d);
+  const double crescent = (small - y * (x - d)) - 4 * (large - x * y / 4);
+  EXPECT_EQ(within.areas.c1_minus_c2, 0);
+  EXPECT_GE(within.error.c1_minus_c2, crescent);
+  EXPECT_LT(within.error.c1_minus_c2, 2 * crescent + 1e-6);
+
+  // Beside two crossings, at any angle of the scene.
+  const auto radius = [](double angle) {
+    const double back = (1 - std::cos(angle)) / 2;
+    return 1 - 1e-3 + 2 * back - 2.3 * std::pow(back, 4);
+  };
+  double common = 0;
+  const int steps = 1 << 20;
+  for (int k = 0; k < steps; ++k) common += pi / steps * std::pow(std::min(radius((k + 0.5) * 2 * pi / steps), 1.0), 2);
+  for (const double turn : {0.0, 0.3, 1.1, 2.0, 2.9, 4.2, 5.5}) {
+    Points circle, other;
+    for (int k = 0; k < 50; ++k) {
+      const double angle = (k + 0.5) * 2 * pi / 50 + turn;
+      circle.push_back({std::cos(angle), std::sin(angle)});
+    }
+    for (int k = 0; k < 4000; ++k) {
+      const double angle = k * 2 * pi / 4000;
+      other.push_back({radius(angle) * std::cos(angle + turn), radius(angle) * std::sin(angle + turn)});
+    }
+    std::rotate(other.begin(), other.begin() + static_cast<std::ptrdiff_t>(600 * turn), other.end());
+    const SmoothAreas beside = smooth_of(circle, other);
+    EXPECT_LE(std::fabs(beside.areas.intersection - common), beside.error.intersection) << turn;
+    EXPECT_LT(beside.error.intersection, 1e-4 + beside.error.c1 + beside.error.c2) << turn;
+  }
+}
+
+TEST(Smooth, ArcsThatKeepTheirDistanceHaveNoMoreBar) {
+  // Closer together than their segments' sagittas, and never nearer than to a tenth of these.
+  const Points outer = sample(ellipse(0, 0, 1 + 1e-3, 1 + 1e-3), 50), inner = sample(ellipse(0, 0, 1, 1), 50);
+  const SmoothAreas smooth = smooth_of(outer, inner);
+  EXPECT_LT(smooth.error.c1_minus_c2, 1.5 * (smooth.error.c1 + smooth.error.c2));
+  // A crossing of a lens has its bar where it is, however the polygons go on.
+  const SmoothAreas crossing = smooth_of(sample(ellipse(0, 0, 1, 1), 400), sample(ellipse(0.03, 0, 1, 1), 400, 0.713));
+  EXPECT_LT(crossing.error.intersection, 1e-9);
+}
+
 TEST(Smooth, NearTangentCurvesKeepTheirBar) {
   // Lobes down to a thousandth of the sagitta of a segment, which polygons get wrong altogether.
   for (const double depth : {1e-2, 1e-4, 1e-6, 1e-8}) {
     const Points c1 = sample(ellipse(0, 0, 1, 1), 400), c2 = sample(ellipse(2 - depth, 0, 1, 1), 400, 0.713);
     const SmoothAreas smooth = smooth_of(c1, c2);
     const Areas exact = lens(2 - depth);
-    if (smooth.areas.intersection > 0) {
-      EXPECT_LE(std::fabs(smooth.areas.intersection - exact.intersection), smooth.error.intersection) << depth;
-    }
+    EXPECT_LE(std::fabs(smooth.areas.intersection - exact.intersection), smooth.error.intersection) << depth;
   }
   const Points wave = sample(wavy(1e-6, 40), 1000), circle = sample(ellipse(0, 0, 1, 1), 1000, 0.6);
   const SmoothAreas smooth = smooth_of(wave, circle);

@@ -1,0 +1,108 @@
+#include "engine/geometry/smooth/arc_boxes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lober::detail {
+namespace {
+
+// Both coordinates of a point.
+using Pair [[gnu::vector_size(16)]] = double;
+Pair pair_of(Point point) {
+  return Pair{point.x, point.y};
+}
+Pair least(Pair a, Pair b) {
+  return a < b ? a : b;
+}
+Pair largest(Pair a, Pair b) {
+  return a > b ? a : b;
+}
+
+struct Extremes {
+  Pair low, high, bend;
+};
+
+// For the `count` points after the first one; the bend is half the size of the largest second difference of three
+// points in a row. An arc of a circle keeps |chord| / 8 times the turn of its tangent from the chord, the turn at a
+// vertex is half of that or more, and the second difference there no less than it times the chord: a quarter of it
+// would do, however long the segment on the other side is.
+Extremes extremes_of(const Point* points, std::size_t count) {
+  Pair here = pair_of(points[1]), step = here - pair_of(points[0]);
+  Extremes e{here, here, {0, 0}};
+  for (std::size_t k = 1; k <= count; ++k) {
+    const Pair next = pair_of(points[k + 1]), next_step = next - here, bend = next_step - step;
+    e.low = least(e.low, here);
+    e.high = largest(e.high, here);
+    e.bend = largest(e.bend, largest(bend, -bend));
+    here = next;
+    step = next_step;
+  }
+  return e;
+}
+
+// The largest distance of points from the chord between the first and the last one.
+double distance_from_chord(const Point* points, std::size_t count) {
+  const Point from = points[0], along = points[count - 1] - from;
+  const double square = along.x * along.x + along.y * along.y;
+  double most = 0, farthest = 0;
+  for (std::size_t k = 1; k + 1 < count; ++k) {
+    const double x = points[k].x - from.x, y = points[k].y - from.y;
+    const double height = std::fabs(along.x * y - along.y * x);
+    most = height > most ? height : most;
+    const double far = x * x + y * y;
+    farthest = far > farthest ? far : farthest;
+  }
+  return square > 0 ? most / std::sqrt(square) : std::sqrt(farthest);
+}
+
+}  // namespace
+
+ArcBoxes::ArcBoxes(const SmoothCurve& curve) : curve_(&curve), size_(curve.segments()) {
+  const std::size_t leaves = (size_ + segments_a_leaf - 1) / segments_a_leaf;
+  levels_.emplace_back(leaves);
+  strips_.emplace_back(leaves);
+  bends_.resize(leaves);
+}
+
+void ArcBoxes::add(std::size_t begin, std::size_t end) {
+  std::array<Point, segments_a_leaf + 3> copied;
+  for (std::size_t from = begin; from < end; from += segments_a_leaf) {
+    const std::size_t leaf = from / segments_a_leaf, points = this->end(leaf) - from + 1;
+    const Point* window = curve_->points(static_cast<std::int64_t>(from) - 1, points + 2);
+    if (window == nullptr) {
+      for (std::size_t k = 0; k < points + 2; ++k) copied[k] = curve_->vertex(static_cast<std::int64_t>(from + k) - 1);
+      window = copied.data();
+    }
+    const Extremes e = extremes_of(window, points);
+    const double x = e.bend[0] / 2, y = e.bend[1] / 2;
+    levels_[0][leaf] = {{e.low[0] - x, e.low[1] - y, -(e.high[0] + x), -(e.high[1] + y)}};
+    bends_[leaf] = std::sqrt(x * x + y * y);
+    strips_[0][leaf] = {window[1], window[points], distance_from_chord(window + 1, points) + bends_[leaf]};
+  }
+}
+
+void ArcBoxes::join() {
+  while (levels_.back().size() > 1) {
+    const Buffer<Box>& boxes = levels_.back();
+    const Buffer<ArcStrip>& strips = strips_.back();
+    Buffer<Box> boxes_above((boxes.size() + children - 1) / children);
+    Buffer<ArcStrip> strips_above(boxes_above.size());
+    for (std::size_t k = 0; k < boxes_above.size(); ++k) {
+      const std::size_t begin = k * children, end = std::min(begin + children, boxes.size());
+      boxes_above[k] = boxes[begin];
+      double width = strips[begin].width;
+      std::array<Point, children + 1> ends{strips[begin].from, strips[begin].to};
+      for (std::size_t j = begin + 1; j < end; ++j) {
+        boxes_above[k] = union_of(boxes_above[k], boxes[j]);
+        width = std::max(width, strips[j].width);
+        ends[j - begin + 1] = strips[j].to;
+      }
+      strips_above[k] = {ends[0], ends[end - begin], width + distance_from_chord(ends.data(), end - begin + 1)};
+    }
+    levels_.push_back(std::move(boxes_above));
+    strips_.push_back(std::move(strips_above));
+  }
+}
+
+}  // namespace lober::detail
