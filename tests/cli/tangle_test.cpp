@@ -62,6 +62,7 @@ TEST_F(TangleProgram, TakesABipByNumberAndByPlace) {
     EXPECT_EQ(result["bip"]["x"], 4.0);
   }
   expect_failure({"tangle", "u", "s", "--bip", "4"}, 2, "no pip 4");
+  expect_failure({"tangle", "u", "s", "--bip", "100,100"}, 2, "no pip lies near the bip asked for, (100, 100)");
   for (const char* bip : {"-1", "x", "1,", ",2", "1,2,3", "1,nan", "1.5"}) {
     expect_failure({"tangle", "u", "s", "--bip", bip}, 2, "--bip");
   }

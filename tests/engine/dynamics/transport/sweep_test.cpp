@@ -42,6 +42,19 @@ TEST(Sweep, FindsTheZeroFromEitherSide) {
   }
 }
 
+// A zero of size 0 has no tolerance of its own size.
+TEST(Sweep, ZeroAtZeroHasTheBarOfItsInterval) {
+  const auto moved = [](double value) { return vortex_pair(1.40676409 + value); };
+  SweepOptions options;
+  options.tangle.tolerance = 1e-3;
+  options.find_zeros = true;
+  const Sweep found = sweep(moved, std::array{-0.03, 0.02}, options);
+  ASSERT_EQ(found.zeros.size(), 1U);
+  EXPECT_NEAR(found.zeros[0].value, 0, 1e-8);
+  EXPECT_GE(found.zeros[0].width, 1e-17);
+  EXPECT_LE(found.zeros[0].width, 1e-10);
+}
+
 // Newton's method converges to another pip where a step is too large: the flux of the standard map at K = 10 was 12.40
 // after K = 5, and the difference had changed its sign.
 TEST(Sweep, FollowsOnePipOverLargeSteps) {

@@ -12,6 +12,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "lober/base/error.hpp"
+#include "lober/tangle/manifold_tangle.hpp"
 #include "lober/transport/transport.hpp"
 #include "tests/engine/dynamics/test_maps.hpp"
 #include "tests/paths.hpp"
@@ -232,6 +233,23 @@ TEST(Transport, GyreBoundedByWalls) {
   const Transport found = transport_of(make_system("double-gyre"), 1, 1e-4);
   EXPECT_NEAR(found.regions[0].area.value, 1, 0.07);
   EXPECT_NEAR(found.steps[0].by_boundaries(0, 1).value, found.steps[0].total(0, 1).value, 1e-5);
+}
+
+// Two pips of a period are mirror images of each other, as far from one saddle as the other one is from the other
+// saddle: neither is nearer to halfway, whatever the tolerance.
+TEST(Transport, BipOfAMirroredTangleDoesNotDependOnTheTolerance) {
+  for (const double eps : {0.1, 0.24}) {
+    const System system = make_system("double-gyre", {{"eps", eps}});
+    std::vector<Point> bips;
+    for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6}) {
+      ManifoldTangleOptions options;
+      options.tolerance = tolerance;
+      const std::unique_ptr<ManifoldTangle> found = grow_tangle(*system.map, *system.connection, options);
+      bips.push_back(found->tangle.pips[found->bip].at);
+      EXPECT_NEAR(bips.back().x, bips.front().x, 1e-6) << tolerance;
+      EXPECT_NEAR(bips.back().y, bips.front().y, 1e-6) << tolerance;
+    }
+  }
 }
 
 // With A < 0 the gyres are their own mirror images. The pip found there first is so near to the saddle, after an
