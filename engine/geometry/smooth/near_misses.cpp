@@ -16,6 +16,12 @@ namespace {
 
 constexpr std::size_t leaf_size_of_arcs = ArcBoxes::segments_a_leaf, samples = 8;
 
+// A bit for each segment of a leaf.
+static_assert(leaf_size_of_arcs == 16);
+std::uint32_t first_bits(std::size_t count) {
+  return (std::uint32_t{1} << count) - 1;
+}
+
 Box grown_by(Box box, double by) {
   for (double& lane : box.lane) lane -= by;
   return box;
@@ -89,7 +95,7 @@ struct LeafPoints {
                          std::max(y[k], y[k + 1]) < low_y || std::min(y[k], y[k + 1]) > high_y;
       bits |= static_cast<std::uint32_t>(!apart) << k;
     }
-    return bits & ((std::uint32_t{1} << count) - 1);
+    return bits & first_bits(count);
   }
 };
 
@@ -218,19 +224,16 @@ void NodeSegments::add(double from, double to) {
 }
 
 void NodeSegments::join() {
-  static_assert(leaf_size_of_arcs == 16);
   const std::size_t leaves = about_node_.size() / leaf_size_of_arcs;
   others_.resize(leaves);
   for (std::size_t leaf = 0; leaf < leaves; ++leaf) {
-    std::array<std::uint64_t, 2> bytes;
+    std::array<std::uint64_t, leaf_size_of_arcs / 8> bytes;
     std::memcpy(bytes.data(), about_node_.data() + leaf * leaf_size_of_arcs, sizeof bytes);
     // Byte k, 0 or 1, as bit k: no carries reach the top byte.
-    const auto bits = [](std::uint64_t of) { return static_cast<std::uint32_t>((of * 0x0102040810204080U) >> 56); };
-    others_[leaf] = static_cast<std::uint16_t>(~(bits(bytes[0]) | bits(bytes[1]) << 8));
-  }
-  if (size_ % leaf_size_of_arcs != 0) {
-    const auto all = static_cast<std::uint16_t>((1U << size_ % leaf_size_of_arcs) - 1);
-    others_[leaves - 1] = static_cast<std::uint16_t>(others_[leaves - 1] & all);
+    std::uint32_t bits = 0;
+    for (std::size_t k = bytes.size(); k-- > 0;)
+      bits = bits << 8 | static_cast<std::uint32_t>((bytes[k] * 0x0102040810204080U) >> 56);
+    others_[leaf] = ~bits & first_bits(std::min(size_ - leaf * leaf_size_of_arcs, leaf_size_of_arcs));
   }
   for (std::size_t size = leaves; size > 1;) {
     const std::size_t above = (size + ArcBoxes::children - 1) / ArcBoxes::children;

@@ -30,7 +30,7 @@ class NodeSegments {
  private:
   std::size_t size_;
   Buffer<std::uint8_t> about_node_;  // and behind the last one up to the end of its leaf
-  Buffer<std::uint16_t> others_;
+  Buffer<std::uint32_t> others_;
   std::vector<Buffer<std::uint8_t>> levels_;  // any others, for the boxes above leaves
 };
 
