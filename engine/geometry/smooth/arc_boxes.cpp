@@ -3,9 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace lober::detail {
 namespace {
+
+// A bend of this part of a leaf's box comes from corners or from uneven points: segments of smooth curves turn less.
+constexpr double uneven = 1.0 / (32 * ArcBoxes::segments_a_leaf);
+
+bool repeats(std::span<const Point> points) {
+  return std::adjacent_find(points.begin(), points.end()) != points.end();
+}
 
 // Both coordinates of a point.
 using Pair [[gnu::vector_size(16)]] = double;
@@ -39,6 +47,20 @@ Extremes extremes_of(const Point* points, std::size_t count) {
     step = next_step;
   }
   return e;
+}
+
+// The same bound by turns alone, for points that are not evenly spaced. A turn by more than 45 degrees is a corner, and
+// bends no arc.
+double bend_by_turns(const Point* points, std::size_t count) {
+  double most = 0;
+  for (std::size_t k = 1; k <= count; ++k) {
+    const Point in = points[k] - points[k - 1], out = points[k + 1] - points[k];
+    const double turn = cross(in, out), ahead = in.x * out.x + in.y * out.y;
+    if (!(std::fabs(turn) <= ahead)) continue;
+    const double shorter = std::min(in.x * in.x + in.y * in.y, out.x * out.x + out.y * out.y);
+    if (shorter > 0) most = std::max(most, turn * turn / shorter);
+  }
+  return std::sqrt(most) / 2;
 }
 
 // The largest distance of points from the chord between the first and the last one.
@@ -75,9 +97,11 @@ void ArcBoxes::add(std::size_t begin, std::size_t end) {
       window = copied.data();
     }
     const Extremes e = extremes_of(window, points);
-    const double x = e.bend[0] / 2, y = e.bend[1] / 2;
-    levels_[0][leaf] = {{e.low[0] - x, e.low[1] - y, -(e.high[0] + x), -(e.high[1] + y)}};
-    bends_[leaf] = std::sqrt(x * x + y * y);
+    double bend = std::sqrt(e.bend[0] * e.bend[0] + e.bend[1] * e.bend[1]) / 2;
+    const double extent = e.high[0] - e.low[0] + (e.high[1] - e.low[1]);
+    if (bend > uneven * extent && !repeats({window, points + 2})) bend = std::min(bend, bend_by_turns(window, points));
+    levels_[0][leaf] = {{e.low[0] - bend, e.low[1] - bend, -(e.high[0] + bend), -(e.high[1] + bend)}};
+    bends_[leaf] = bend;
     strips_[0][leaf] = {window[1], window[points], distance_from_chord(window + 1, points) + bends_[leaf]};
   }
 }
