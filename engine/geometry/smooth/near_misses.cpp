@@ -132,7 +132,7 @@ class NearPairs {
   }
 
  private:
-  // Divides the larger one of two nodes whose boxes meet.
+  // Divides both of two nodes whose boxes meet, or one that is larger by far.
   void below(Node node1, Node node2, const Box& box1, const Box& box2) {
     // Boxes of folds that lie close together all meet; above, strips are as wide.
     constexpr std::size_t levels_with_strips = 3;
@@ -141,17 +141,32 @@ class NearPairs {
       return;
     }
     if (node1.level == 0 && node2.level == 0) return look_at(node1.index, node2.index);
-    const bool first = node2.level == 0 || (node1.level > 0 && box1.extent() >= box2.extent());
-    const Node node = first ? node1 : node2;
-    const Buffer<Box>& boxes = (first ? c1_ : c2_).boxes.boxes(node.level - 1);
-    const BoxQuery query(first ? box2 : box1);
-    const std::size_t end = std::min(ArcBoxes::children * (node.index + 1), boxes.size());
-    for (std::size_t k = ArcBoxes::children * node.index; k < end; ++k) {
-      const Node child{node.level - 1, k};
-      if (!meet(query, boxes[k]) || !any_others(first ? child : node1, first ? node2 : child)) continue;
-      below(first ? child : node1, first ? node2 : child, first ? boxes[k] : box1, first ? box2 : boxes[k]);
+    constexpr double by_far = 2;
+    const double extent1 = box1.extent(), extent2 = box2.extent();
+    const bool first = node1.level > 0 && (node2.level == 0 || extent2 <= by_far * extent1);
+    const bool second = node2.level > 0 && (node1.level == 0 || extent1 <= by_far * extent2);
+    const Children of1(c1_, node1, first), of2(c2_, node2, second);
+    for (std::size_t i = of1.begin; i < of1.end; ++i) {
+      const Box& child1 = of1.boxes[i];
+      const BoxQuery query(child1);
+      if (first && second && !meet(query, box2)) continue;
+      for (std::size_t j = of2.begin; j < of2.end; ++j) {
+        if (!meet(query, of2.boxes[j])) continue;
+        const Node below1{of1.level, i}, below2{of2.level, j};
+        if (any_others(below1, below2)) below(below1, below2, child1, of2.boxes[j]);
+      }
     }
   }
+  // The children of a node, or the node itself.
+  struct Children {
+    std::size_t level, begin, end;
+    const Box* boxes;
+    Children(const ArcsOfCurve& on, Node node, bool divided)
+        : level(divided ? node.level - 1 : node.level), boxes(on.boxes.boxes(level).data()) {
+      begin = divided ? ArcBoxes::children * node.index : node.index;
+      end = divided ? std::min(begin + ArcBoxes::children, on.boxes.boxes(level).size()) : begin + 1;
+    }
+  };
 
   [[nodiscard]] bool any_others(Node node1, Node node2) const {
     return c1_.about.any_others(node1.level, node1.index) || c2_.about.any_others(node2.level, node2.index);
