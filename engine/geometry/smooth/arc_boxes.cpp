@@ -16,7 +16,7 @@ bool repeats(std::span<const Point> points) {
 }
 
 // Both coordinates of a point.
-using Pair [[gnu::vector_size(16)]] = double;
+using Pair = double __attribute__((vector_size(16)));
 Pair pair_of(Point point) {
   return Pair{point.x, point.y};
 }
@@ -80,11 +80,16 @@ double distance_from_chord(const Point* points, std::size_t count) {
 
 }  // namespace
 
-ArcBoxes::ArcBoxes(const SmoothCurve& curve) : curve_(&curve), size_(curve.segments()) {
-  const std::size_t leaves = (size_ + segments_a_leaf - 1) / segments_a_leaf;
-  levels_.emplace_back(leaves);
-  strips_.emplace_back(leaves);
-  bends_.resize(leaves);
+ArcBoxes::ArcBoxes(const SmoothCurve& curve) : curve_(&curve), segments_(curve.segments()) {
+  size_[0] = static_cast<std::uint32_t>((segments_ + segments_a_leaf - 1) / segments_a_leaf);
+  for (; size_[levels_ - 1] > 1; ++levels_) {
+    begin_[levels_] = begin_[levels_ - 1] + size_[levels_ - 1];
+    size_[levels_] = (size_[levels_ - 1] + 1) / 2;
+  }
+  constexpr std::size_t readable = 3;
+  boxes_.resize(begin_[levels_ - 1] + size_[levels_ - 1] + readable);
+  strips_.resize(size_[0]);
+  bends_.resize(size_[0]);
 }
 
 void ArcBoxes::add(std::size_t begin, std::size_t end) {
@@ -100,32 +105,19 @@ void ArcBoxes::add(std::size_t begin, std::size_t end) {
     double bend = std::sqrt(e.bend[0] * e.bend[0] + e.bend[1] * e.bend[1]) / 2;
     const double extent = e.high[0] - e.low[0] + (e.high[1] - e.low[1]);
     if (bend > uneven * extent && !repeats({window, points + 2})) bend = std::min(bend, bend_by_turns(window, points));
-    levels_[0][leaf] = {{e.low[0] - bend, e.low[1] - bend, -(e.high[0] + bend), -(e.high[1] + bend)}};
+    boxes_[leaf] = {{e.low[0] - bend, e.low[1] - bend, -(e.high[0] + bend), -(e.high[1] + bend)}};
     bends_[leaf] = bend;
-    strips_[0][leaf] = {window[1], window[points], distance_from_chord(window + 1, points) + bends_[leaf]};
+    strips_[leaf] = {window[1], window[points], distance_from_chord(window + 1, points) + bend};
   }
 }
 
 void ArcBoxes::join() {
-  while (levels_.back().size() > 1) {
-    const Buffer<Box>& boxes = levels_.back();
-    const Buffer<ArcStrip>& strips = strips_.back();
-    Buffer<Box> boxes_above((boxes.size() + children - 1) / children);
-    Buffer<ArcStrip> strips_above(boxes_above.size());
-    for (std::size_t k = 0; k < boxes_above.size(); ++k) {
-      const std::size_t begin = k * children, end = std::min(begin + children, boxes.size());
-      boxes_above[k] = boxes[begin];
-      double width = strips[begin].width;
-      std::array<Point, children + 1> ends{strips[begin].from, strips[begin].to};
-      for (std::size_t j = begin + 1; j < end; ++j) {
-        boxes_above[k] = union_of(boxes_above[k], boxes[j]);
-        width = std::max(width, strips[j].width);
-        ends[j - begin + 1] = strips[j].to;
-      }
-      strips_above[k] = {ends[0], ends[end - begin], width + distance_from_chord(ends.data(), end - begin + 1)};
+  for (std::uint32_t level = 1; level < levels_; ++level) {
+    const Box* const below = &boxes_[begin_[level - 1]];
+    for (std::uint32_t k = 0; k < size_[level]; ++k) {
+      const Box& first = below[2 * std::size_t{k}];
+      boxes_[begin_[level] + k] = 2 * k + 1 < size_[level - 1] ? union_of(first, (&first)[1]) : first;
     }
-    levels_.push_back(std::move(boxes_above));
-    strips_.push_back(std::move(strips_above));
   }
 }
 

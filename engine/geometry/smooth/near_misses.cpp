@@ -27,7 +27,7 @@ Box grown_by(Box box, double by) {
   return box;
 }
 
-// Two arcs with that vertices before them, seen from the first end of the first one.
+// Two arcs, the second one from `from2`, as seen from the first end of the first one.
 struct ArcPair {
   const SmoothSegment &arc1, &arc2;
   Point from2;
@@ -114,17 +114,20 @@ bool keep_away(const ArcStrip& one, const ArcStrip& other) {
          keeps_away(other.from, other.to, one.from, one.to, width);
 }
 
-// The segments below one node of C1's boxes: pairs that come near are collected, then their arcs compared.
+// The walk of C1's boxes against those of C2: down the first tree with a list of the nodes of the second one that meet
+// the present node, always split to about its size. Pairs of segments that come near are collected, then their arcs
+// compared.
 class NearPairs {
  public:
-  NearPairs(const ArcsOfCurve& c1, const ArcsOfCurve& c2) : c1_(c1), c2_(c2) {}
+  NearPairs(const ArcsOfCurve& c1, const ArcsOfCurve& c2)
+      : c1_(c1), c2_(c2), carried_((c1.boxes.levels() + 1) / levels_at_once + 1) {}
 
-  struct Node {
-    std::size_t level, index;
-  };
-  void walk(Node node1, Node node2) {
-    const Box &box1 = c1_.boxes.boxes(node1.level)[node1.index], &box2 = c2_.boxes.boxes(node2.level)[node2.index];
-    if (meet(box1, box2) && any_others(node1, node2)) below(node1, node2, box1, box2);
+  /// Goes through the leaves below one node of C1.
+  void walk(TreeNode node) {
+    Buffer<TreeNode> list{{c2_.boxes.levels() - 1, 0}};
+    std::size_t count = meet(c1_.boxes.box(node), c2_.boxes.box(list[0])) ? 1 : 0;
+    split_to_size(node, list, count);
+    walk(node, {list.data(), count});
   }
   [[nodiscard]] double area() {
     compare();
@@ -132,53 +135,74 @@ class NearPairs {
   }
 
  private:
-  // Divides both of two nodes whose boxes meet, or one that is larger by far.
-  void below(Node node1, Node node2, const Box& box1, const Box& box2) {
-    // Boxes of folds that lie close together all meet; above, strips are as wide.
-    constexpr std::size_t levels_with_strips = 3;
-    if (std::max(node1.level, node2.level) < levels_with_strips &&
-        keep_away(c1_.boxes.strips(node1.level)[node1.index], c2_.boxes.strips(node2.level)[node2.index])) {
+  struct Carried {
+    std::array<Buffer<TreeNode>, nodes_at_once> met;
+    std::array<std::size_t, nodes_at_once> count{};
+  };
+  static void ensure_size(Buffer<TreeNode>& buffer, std::size_t size) {
+    if (buffer.size() < size) buffer.resize(2 * size);
+  }
+
+  void walk(TreeNode node, std::span<const TreeNode> list) {
+    if (list.empty()) return;
+    if (node.level == 0) {
+      for (const TreeNode other : list) look_at(node.index, other.index);
       return;
     }
-    if (node1.level == 0 && node2.level == 0) return look_at(node1.index, node2.index);
-    constexpr double by_far = 2;
-    const double extent1 = box1.extent(), extent2 = box2.extent();
-    const bool first = node1.level > 0 && (node2.level == 0 || extent2 <= by_far * extent1);
-    const bool second = node2.level > 0 && (node1.level == 0 || extent1 <= by_far * extent2);
-    const Children of1(c1_, node1, first), of2(c2_, node2, second);
-    for (std::size_t i = of1.begin; i < of1.end; ++i) {
-      const Box& child1 = of1.boxes[i];
-      const BoxQuery query(child1);
-      if (first && second && !meet(query, box2)) continue;
-      for (std::size_t j = of2.begin; j < of2.end; ++j) {
-        if (!meet(query, of2.boxes[j])) continue;
-        const Node below1{of1.level, i}, below2{of2.level, j};
-        if (any_others(below1, below2)) below(below1, below2, child1, of2.boxes[j]);
-      }
+    const std::uint32_t step = node.level % levels_at_once == 0 ? levels_at_once : 1;
+    const TreeNode below{node.level - step, node.index << step};
+    const std::size_t present =
+        std::min<std::size_t>(std::size_t{1} << step, c1_.boxes.nodes(below.level) - below.index);
+    Carried& carried = carried_[(node.level + 1) / levels_at_once];
+    std::array<TreeNode*, nodes_at_once> met{};
+    for (std::size_t i = 0; i < nodes_at_once; ++i) {
+      ensure_size(carried.met[i], list.size() + 1);
+      met[i] = carried.met[i].data();
+    }
+    distribute(&c1_.boxes.box(below), present, c2_.boxes.pyramid(), list.data(), list.size(), met, carried.count);
+    for (std::size_t i = 0; i < present; ++i) {
+      const TreeNode child{below.level, below.index + static_cast<std::uint32_t>(i)};
+      split_to_size(child, carried.met[i], carried.count[i]);
+      walk(child, {carried.met[i].data(), carried.count[i]});
     }
   }
-  // The children of a node, or the node itself.
-  struct Children {
-    std::size_t level, begin, end;
-    const Box* boxes;
-    Children(const ArcsOfCurve& on, Node node, bool divided)
-        : level(divided ? node.level - 1 : node.level), boxes(on.boxes.boxes(level).data()) {
-      begin = divided ? ArcBoxes::children * node.index : node.index;
-      end = divided ? std::min(begin + ArcBoxes::children, on.boxes.boxes(level).size()) : begin + 1;
-    }
-  };
 
-  [[nodiscard]] bool any_others(Node node1, Node node2) const {
-    return c1_.about.any_others(node1.level, node1.index) || c2_.about.any_others(node2.level, node2.index);
+  // Replaces nodes of C2 that are larger than the node of C1 by those below them that meet it; at a leaf, down to
+  // leaves.
+  void split_to_size(TreeNode node, Buffer<TreeNode>& list, std::size_t& count) {
+    const Box& box = c1_.boxes.box(node);
+    const double largest = node.level == 0 ? -1 : box.extent();
+    const bool settled = !c1_.about.any_others(node);
+    std::size_t kept = 0, left = settled ? with_others(list.data(), count) : count;
+    ensure_size(waiting_, left);
+    std::copy_n(list.begin(), left, waiting_.begin());
+    while (left > 0) {
+      ensure_size(list, kept + nodes_at_once * left + 1);
+      ensure_size(below_, nodes_at_once * left + 1);
+      const SplitCounts done =
+          refine(box, largest, c2_.boxes.pyramid(), waiting_.data(), left, &list[kept], below_.data());
+      kept += done.kept;
+      waiting_.swap(below_);
+      left = settled ? with_others(waiting_.data(), done.split) : done.split;
+    }
+    count = kept;
+  }
+  // Keeps nodes of C2 that are not all about nodes of the curves.
+  std::size_t with_others(TreeNode* list, std::size_t count) const {
+    return static_cast<std::size_t>(
+        std::remove_if(list, list + count, [&](TreeNode node) { return !c2_.about.any_others(node); }) - list);
   }
 
-  void look_at(std::size_t leaf1, std::size_t leaf2) {
-    const double bend = c1_.boxes.bend(leaf1) + c2_.boxes.bend(leaf2);
+  void look_at(std::uint32_t leaf1, std::uint32_t leaf2) {
+    const ArcBoxes &boxes1 = c1_.boxes, &boxes2 = c2_.boxes;
+    // Boxes of folds that lie close together all meet.
+    if (keep_away(boxes1.strip(leaf1), boxes2.strip(leaf2))) return;
     const LeafPoints points1(c1_, leaf1), points2(c2_, leaf2);
-    const std::uint32_t near1 = points1.near(grown_by(c2_.boxes.boxes(0)[leaf2], c1_.boxes.bend(leaf1)));
-    const std::uint32_t near2 = points2.near(grown_by(c1_.boxes.boxes(0)[leaf1], c2_.boxes.bend(leaf2)));
+    const std::uint32_t near1 = points1.near(grown_by(boxes2.box({0, leaf2}), boxes1.bend(leaf1)));
+    const std::uint32_t near2 = points2.near(grown_by(boxes1.box({0, leaf1}), boxes2.bend(leaf2)));
     const std::uint32_t free1 = near1 & c1_.about.others(leaf1), free2 = near2 & c2_.about.others(leaf2);
     if ((free1 == 0 || near2 == 0) && (free2 == 0 || near1 == 0)) return;
+    const double bend = boxes1.bend(leaf1) + boxes2.bend(leaf2);
     add(points1, free1, points2, near2, bend);
     add(points1, near1 & ~free1, points2, free2, bend);
   }
@@ -219,6 +243,8 @@ class NearPairs {
     std::uint32_t shape1 = 0, shape2 = 0;
   };
   const ArcsOfCurve &c1_, &c2_;
+  std::vector<Carried> carried_;  // one for each level that the walk passes through
+  Buffer<TreeNode> waiting_, below_;
   std::vector<Pair> pairs_;
   double area_ = 0;
 };
@@ -250,28 +276,23 @@ void NodeSegments::join() {
       bits = bits << 8 | static_cast<std::uint32_t>((bytes[k] * 0x0102040810204080U) >> 56);
     others_[leaf] = ~bits & first_bits(std::min(size_ - leaf * leaf_size_of_arcs, leaf_size_of_arcs));
   }
-  for (std::size_t size = leaves; size > 1;) {
-    const std::size_t above = (size + ArcBoxes::children - 1) / ArcBoxes::children;
-    Buffer<std::uint8_t> level(above);
-    for (std::size_t k = 0; k < above; ++k) {
-      bool any = false;
-      for (std::size_t j = k * ArcBoxes::children; j < std::min((k + 1) * ArcBoxes::children, size); ++j)
-        any = any || any_others(levels_.size(), j);
-      level[k] = any ? 1 : 0;
-    }
+  for (std::size_t size = leaves; size > 1; size = levels_.back().size()) {
+    Buffer<std::uint8_t> level((size + 1) / 2);
+    const auto below = static_cast<std::uint32_t>(levels_.size());
+    for (std::uint32_t k = 0; k < level.size(); ++k)
+      level[k] = any_others({below, 2 * k}) || (2 * k + 1 < size && any_others({below, 2 * k + 1})) ? 1 : 0;
     levels_.push_back(std::move(level));
-    size = above;
   }
 }
 
 double hidden_area(const ArcsOfCurve& c1, const ArcsOfCurve& c2) {
-  constexpr std::size_t tasks = 256;
-  std::size_t level = 0;
-  while (level + 1 < c1.boxes.levels() && c1.boxes.boxes(level).size() > tasks) ++level;
-  std::vector<double> areas(c1.boxes.boxes(level).size());
+  constexpr std::uint32_t tasks = 256;
+  std::uint32_t level = 0;
+  while (c1.boxes.nodes(level) > tasks) ++level;
+  std::vector<double> areas(c1.boxes.nodes(level));
   for_each_block(areas.size(), 1, [&](std::size_t k, std::size_t) {
     NearPairs pairs(c1, c2);
-    pairs.walk({level, k}, {c2.boxes.levels() - 1, 0});
+    pairs.walk({level, static_cast<std::uint32_t>(k)});
     areas[k] = pairs.area();
   });
   double area = 0;

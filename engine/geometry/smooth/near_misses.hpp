@@ -22,16 +22,16 @@ class NodeSegments {
   void join();
   /// The bits of those of a leaf of ArcBoxes that are not about nodes.
   [[nodiscard]] std::uint32_t others(std::size_t leaf) const { return others_[leaf]; }
-  /// Whether there are any below that box.
-  [[nodiscard]] bool any_others(std::size_t level, std::size_t index) const {
-    return level == 0 ? others_[index] != 0 : levels_[level - 1][index] != 0;
+  /// Whether there are any below a node of them.
+  [[nodiscard]] bool any_others(TreeNode node) const {
+    return node.level == 0 ? others_[node.index] != 0 : levels_[node.level - 1][node.index] != 0;
   }
 
  private:
   std::size_t size_;
   Buffer<std::uint8_t> about_node_;  // and behind the last one up to the end of its leaf
   Buffer<std::uint32_t> others_;
-  std::vector<Buffer<std::uint8_t>> levels_;  // any others, for the boxes above leaves
+  std::vector<Buffer<std::uint8_t>> levels_;  // any others, for the nodes above leaves
 };
 
 /// One of two curves.

@@ -312,6 +312,29 @@ TEST(Smooth, LobesThatPolygonsMissAreInTheBar) {
   }
 }
 
+TEST(Smooth, ThousandLobesThatPolygonsMissAreAllFound) {
+  // Over the middle of each segment of a circle the other curve comes inside of it by less than the sagitta.
+  const double lobes = 1000;
+  const auto radius = [&](double angle) { return 1 - 2e-6 + 6e-6 * (1 - std::cos(lobes * angle)); };
+  Points circle, other;
+  for (int k = 0; k < 1000; ++k) {
+    const double angle = (k + 0.5) * 2 * pi / 1000;
+    circle.push_back({std::cos(angle), std::sin(angle)});
+  }
+  for (int k = 0; k < 60000; ++k) {
+    const double angle = k * 2 * pi / 60000;
+    other.push_back({radius(angle) * std::cos(angle), radius(angle) * std::sin(angle)});
+  }
+  double inside = 0;  // of one lobe, in steps of equal angles
+  const int steps = 1 << 16;
+  for (int k = 0; k < steps; ++k)
+    inside += pi / lobes / steps * std::max(1 - std::pow(radius((k + 0.5) * 2 * pi / lobes / steps), 2), 0.0);
+  const SmoothAreas smooth = smooth_of(circle, other);
+  EXPECT_EQ(smooth.areas.c1_minus_c2, 0);
+  EXPECT_GE(smooth.error.c1_minus_c2, lobes * inside);
+  EXPECT_LT(smooth.error.c1_minus_c2, 1.1 * lobes * inside);
+}
+
 TEST(Smooth, ArcsThatKeepTheirDistanceHaveNoMoreBar) {
   // Closer together than their segments' sagittas, and never nearer than to a tenth of these.
   const Points outer = sample(ellipse(0, 0, 1 + 1e-3, 1 + 1e-3), 50), inner = sample(ellipse(0, 0, 1, 1), 50);
