@@ -1,8 +1,10 @@
 // Images and pre-images of a curve under a system's map.
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "engine/base/stopwatch.hpp"
+#include "engine/base/text.hpp"
 #include "engine/operations/curve_of.hpp"
 #include "engine/operations/followed_curve.hpp"
 #include "engine/operations/growth_options.hpp"
@@ -11,6 +13,7 @@
 #include "engine/operations/schema.hpp"
 #include "engine/operations/system_of.hpp"
 #include "engine/operations/table.hpp"
+#include "kernels/box.hpp"
 #include "lober/base/error.hpp"
 #include "lober/curve/drawing.hpp"
 #include "lober/dynamics/manifolds.hpp"
@@ -233,6 +236,15 @@ void compare_image_areas(CurveImages& found, const PlanarMap& map) {
   }
 }
 
+// From a smaller curve one point would be left.
+void require_larger_than(double tolerance, std::span<const Point> points) {
+  const Box box = box_of(points);
+  const double size = std::max(box.width(), box.height());
+  if (!(size > 0 && tolerance > size)) return;
+  throw UsageError("option \"tolerance\": " + format_number(tolerance) + " is more than the size of the curve, " +
+                   format_rounded(size, 3) + "; give a smaller one");
+}
+
 Outcome run_image(std::span<const Input> inputs, const Options& options, const Context& context) {
   const System& system = *system_of(inputs).system;
   ImageHow how = image_options().how(options);
@@ -244,6 +256,7 @@ Outcome run_image(std::span<const Input> inputs, const Options& options, const C
   const Stopwatch curve_watch;
   const FollowedCurve given = followed(how, inputs, context, found);
   found.curve_seconds = curve_watch.seconds();
+  require_larger_than(how.tolerance, given.points);
   how.box = system.window;
   for (const Point& point : given.points) how.box.add(point);
   for (const Point& point : given.second) how.box.add(point);

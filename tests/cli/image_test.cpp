@@ -159,6 +159,7 @@ TEST_F(ImageProgram, RefusesWhatMakesNoSense) {
   refused({"henon", "nowhere", "--tolerance", "1e-3"}, 1, "nowhere: ");
   refused({"henon", "square.dat", "--circle", "0,0,1", "--tolerance", "1e-3"}, 2, "cannot be given together");
   refused({"henon", "--circle", "0,0,0", "--tolerance", "1e-3"}, 2, "R has to be above 0");
+  refused({"henon", "--circle", "0,0,1e-9"}, 2, "tolerance: 1e-05 is more than the size of the curve, 2e-09");
   refused({"henon", "--rectangle", "0,0,0,1", "--tolerance", "1e-3"}, 2, "x0 < x1");
   refused({"henon", "square.dat", "--iterates", "3:1", "--tolerance", "1e-3"}, 2, "FIRST has to come before LAST");
   refused({"henon", "square.dat", "--iterates", "1.5", "--tolerance", "1e-3"}, 2, "not a whole number");
