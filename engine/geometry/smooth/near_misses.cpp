@@ -286,8 +286,9 @@ void NodeSegments::join() {
 }
 
 double hidden_area(const ArcsOfCurve& c1, const ArcsOfCurve& c2) {
+  // Few leaves are one task.
   constexpr std::uint32_t tasks = 256;
-  std::uint32_t level = 0;
+  std::uint32_t level = c1.boxes.nodes(0) > tasks ? 0 : c1.boxes.levels() - 1;
   while (c1.boxes.nodes(level) > tasks) ++level;
   std::vector<double> areas(c1.boxes.nodes(level));
   for_each_block(areas.size(), 1, [&](std::size_t k, std::size_t) {
