@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "engine/geometry/smooth/smooth_curve.hpp"
 #include "lober/base/buffer.hpp"
@@ -56,7 +57,7 @@ class SegmentShapes {
   const SmoothCurve* curve_;
   Buffer<std::int64_t> segments_;
   Buffer<SmoothSegment> shapes_;
-  Buffer<const Point*> windows_;  // eight points each, of the shapes to be fitted
+  std::vector<const Point*> windows_;  // eight points each, of the shapes to be fitted
 };
 
 }  // namespace lober::detail
