@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
 
 namespace lober::detail {
 namespace {
 
 // A bend of this part of a leaf's box comes from corners or from uneven points: segments of smooth curves turn less.
 constexpr double uneven = 1.0 / (32 * ArcBoxes::segments_a_leaf);
-
-bool repeats(std::span<const Point> points) {
-  return std::adjacent_find(points.begin(), points.end()) != points.end();
-}
 
 // Both coordinates of a point.
 using Pair = double __attribute__((vector_size(16)));
@@ -104,7 +99,8 @@ void ArcBoxes::add(std::size_t begin, std::size_t end) {
     const Extremes e = extremes_of(window, points);
     double bend = std::sqrt(e.bend[0] * e.bend[0] + e.bend[1] * e.bend[1]) / 2;
     const double extent = e.high[0] - e.low[0] + (e.high[1] - e.low[1]);
-    if (bend > uneven * extent && !repeats({window, points + 2})) bend = std::min(bend, bend_by_turns(window, points));
+    if (bend > uneven * extent && !SmoothCurve::repeats({window, points + 2}))
+      bend = std::min(bend, bend_by_turns(window, points));
     boxes_[leaf] = {{e.low[0] - bend, e.low[1] - bend, -(e.high[0] + bend), -(e.high[1] + bend)}};
     bends_[leaf] = bend;
     strips_[leaf] = {window[1], window[points], distance_from_chord(window + 1, points) + bend};

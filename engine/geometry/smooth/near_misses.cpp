@@ -172,8 +172,8 @@ class NearPairs {
   void split_to_size(TreeNode node, Buffer<TreeNode>& list, std::size_t& count) {
     const Box& box = c1_.boxes.box(node);
     const double largest = node.level == 0 ? -1 : box.extent();
-    const bool settled = !c1_.about.any_others(node);
-    std::size_t kept = 0, left = settled ? with_others(list.data(), count) : count;
+    const bool all_about_nodes = !c1_.about.any_others(node);
+    std::size_t kept = 0, left = all_about_nodes ? with_others(list.data(), count) : count;
     ensure_size(waiting_, left);
     std::copy_n(list.begin(), left, waiting_.begin());
     while (left > 0) {
@@ -183,7 +183,7 @@ class NearPairs {
           refine(box, largest, c2_.boxes.pyramid(), waiting_.data(), left, &list[kept], below_.data());
       kept += done.kept;
       waiting_.swap(below_);
-      left = settled ? with_others(waiting_.data(), done.split) : done.split;
+      left = all_about_nodes ? with_others(waiting_.data(), done.split) : done.split;
     }
     count = kept;
   }

@@ -27,6 +27,10 @@ class SmoothCurve {
   [[nodiscard]] const Point* points(std::int64_t k, std::size_t count) const {
     return k < 0 || k + static_cast<std::int64_t>(count) > size_ ? nullptr : view_.points.data() + k;
   }
+  /// Whether two neighbours coincide.
+  [[nodiscard]] static bool repeats(std::span<const Point> points) {
+    return std::adjacent_find(points.begin(), points.end()) != points.end();
+  }
   /// The eight vertices about a segment if they lie in a row; else nothing, and segment() has to look for them, as it
   /// has where two neighbours among them coincide.
   [[nodiscard]] const Point* window(std::int64_t k) const {
@@ -90,9 +94,6 @@ class SmoothCurve {
   }
 
  private:
-  [[nodiscard]] static bool repeats(std::span<const Point> points) {
-    return std::adjacent_find(points.begin(), points.end()) != points.end();
-  }
   [[nodiscard, gnu::noinline]] Point beyond(std::int64_t k) const {
     if (view_.closed) return view_.points[static_cast<std::size_t>((k % size_ + size_) % size_)];
     constexpr double much_longer = 1024;

@@ -32,7 +32,7 @@ struct SmoothAreas {
 };
 
 /// The smooth areas that belong to a result of `overlay` (pieces are not needed). The topology is that of the polygons:
-/// crossings of smooth curves whose polygons pass by each other are not found; what they enclose is in the error. A
+/// crossings of smooth curves whose polygons pass by each other are not found; the area between them is in the error. A
 /// shared arc stays shared, with the geometry of C1. Throws DataError when coordinates range too widely. O(n + m),
 /// parallel; the same bits for any number of threads.
 [[nodiscard]] LOBER_API SmoothAreas smooth_areas(const Overlay& result);
