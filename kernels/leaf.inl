@@ -19,37 +19,58 @@ inline DD leaf_sum(const Point* p) {
   return prefixes_of(p, p[0], {}, nullptr, prefixes);
 }
 
+// The points one before those of `here`; `last` is the vector before, `behind_last` what follows each of its points.
+LOBER_INLINE Widest points_before([[maybe_unused]] Widest here, [[maybe_unused]] Widest last, [[maybe_unused]] Widest behind_last) {
+#ifdef __AVX512F__
+  return __builtin_shufflevector(last, here, 6, 7, 8, 9, 10, 11, 12, 13);
+#else
+  return behind_last;
+#endif
+}
+
 // Box and flags of one leaf and, in four lanes, its shoelace sum taken as sum r_i.x (r_{i+1}.y - r_{i-1}.y) over all
 // but the last point, r relative to the first: one exact product and one exact addition a point, if differences are
-// exact. Everything in one loop over four points at a time.
+// exact. Everything in one loop over eight points at a time.
 inline void summarise_leaf(const Point* p, Box& box, std::uint8_t& flags, Lanes& sum_high, Lanes& sum_low) {
   const double* coordinates = &p[0].x;
-  const Lanes origin = splat(p[0].x);
-  Lanes before = {p[0].x, p[0].y, p[0].x, p[0].y};  // any: it is multiplied by r_0 = 0
-  Lanes low = before, high = before;
-  LaneMask rises = low == low, falls = rises;
-  sum_high = sum_low = splat(0);
-  for (std::size_t i = 0; i < leaf_size; i += lanes) {
-    const Lanes here0 = load(coordinates + 2 * i), here1 = load(coordinates + 2 * i + 4);
-    const Lanes after0 = load(coordinates + 2 * i + 2), after1 = load(coordinates + 2 * i + 6);
-    low = min(low, min(after0, after1));
-    high = max(high, max(after0, after1));
-    rises &= (after0 > here0) & (after1 > here1);
-    falls &= (after0 < here0) & (after1 < here1);
-    const Lanes rise0 = after0 - before, rise1 = after1 - after0;
-    before = after1;
-    const Lanes x = __builtin_shufflevector(here0, here1, 0, 4, 2, 6) - origin;
-    const Lanes rise = __builtin_shufflevector(rise0, rise1, 1, 5, 3, 7);
-    const BasicDD<Lanes> product = two_product(x, rise);
-    const BasicDD<Lanes> sum = two_sum(sum_high, product.hi);
-    sum_high = sum.hi;
-    sum_low += sum.lo + product.lo;
+  const Widest origin = splat_widest(p[0].x), nothing = splat_widest(0);
+  Widest last = repeat(Lanes{p[0].x, p[0].y, p[0].x, p[0].y});  // any before the first: it is multiplied by r_0 = 0
+  Widest low = last, high = last, behind_last = last, sum[parts_of_eight], rest[parts_of_eight];
+  for (std::size_t k = 0; k < parts_of_eight; ++k) sum[k] = rest[k] = nothing;
+  auto rises = equal(nothing, nothing), falls = rises;
+#pragma GCC unroll 1
+  for (std::size_t i = 0; i < leaf_size; i += eight) {
+    for (std::size_t k = 0; k < parts_of_eight; ++k) {
+      const double* const pair = coordinates + 2 * (i + k * widest);
+      const Widest here0 = load_widest(pair), here1 = load_widest(pair + widest);
+      const Widest after0 = load_widest(pair + 2), after1 = load_widest(pair + widest + 2);
+      low = min(low, min(after0, after1));
+      high = max(high, max(after0, after1));
+      rises = both(rises, both(less(here0, after0), less(here1, after1)));
+      falls = both(falls, both(less(after0, here0), less(after1, here1)));
+      const Widest rise0 = after0 - points_before(here0, last, behind_last),
+                   rise1 = after1 - points_before(here1, here0, after0);
+      last = here1;
+      behind_last = after1;
+      const BasicDD<Widest> product = two_product(evens_crosswise(here0, here1) - origin, odds_crosswise(rise0, rise1));
+      const BasicDD<Widest> next = two_sum(sum[k], product.hi);
+      sum[k] = next.hi;
+      rest[k] += next.lo + product.lo;
+    }
   }
-  low = min(low, __builtin_shufflevector(low, low, 2, 3, 0, 1));
-  high = max(high, __builtin_shufflevector(high, high, 2, 3, 0, 1));
-  store(box.lane, __builtin_shufflevector(low, -high, 0, 1, 6, 7));
-  const unsigned rise_bits = mask_bits(rises), fall_bits = mask_bits(falls);
-  flags = static_cast<std::uint8_t>((rise_bits & (rise_bits >> 2)) | ((fall_bits & (fall_bits >> 2)) << 2));
+  const Eight all = eight_of(sum), rests = eight_of(rest);
+  const BasicDD<Lanes> halves = two_sum(low_half(all), high_half(all));
+  sum_high = halves.hi;
+  sum_low = halves.lo + (low_half(rests) + high_half(rests));
+  const Lanes lowest = least_four(low), highest = greatest_four(high);
+  const Lanes least_corner = min(lowest, __builtin_shufflevector(lowest, lowest, 2, 3, 0, 1));
+  const Lanes greatest_corner = max(highest, __builtin_shufflevector(highest, highest, 2, 3, 0, 1));
+  store(box.lane, __builtin_shufflevector(least_corner, -greatest_corner, 0, 1, 6, 7));
+  const auto of_all_points = [](unsigned bits) {
+    if constexpr (widest == eight) bits &= bits >> 4U;
+    return bits & bits >> 2U & 3U;
+  };
+  flags = static_cast<std::uint8_t>(of_all_points(mask_bits(rises)) | of_all_points(mask_bits(falls)) << 2U);
 }
 
 // Up to four leaves, so that the ends of their sums are joined side by side.

@@ -1,69 +1,69 @@
 // Body of segment_boxes and meeting_segments (kernels/all.inl).
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
+#include "kernels/eight.hpp"
 #include "kernels/segment_boxes.hpp"
-#include "kernels/simd.hpp"
 
 namespace lober::detail {
 namespace {
 
 inline void boxes_of(const Point* points, SegmentBoxes& boxes) {
   const double* coordinates = &points[0].x;
-  for (std::size_t i = 0; i < leaf_size; i += lanes) {
-    const Lanes begin0 = load(coordinates + 2 * i), begin1 = load(coordinates + 2 * i + 4);
-    const Lanes end0 = load(coordinates + 2 * i + 2), end1 = load(coordinates + 2 * i + 6);
-    const Lanes low0 = min(begin0, end0), low1 = min(begin1, end1);
-    const Lanes high0 = max(begin0, end0), high1 = max(begin1, end1);
-    store(boxes.min_x + i, __builtin_shufflevector(low0, low1, 0, 2, 4, 6));
-    store(boxes.min_y + i, __builtin_shufflevector(low0, low1, 1, 3, 5, 7));
-    store(boxes.max_x + i, __builtin_shufflevector(high0, high1, 0, 2, 4, 6));
-    store(boxes.max_y + i, __builtin_shufflevector(high0, high1, 1, 3, 5, 7));
+  for (std::size_t i = 0; i < leaf_size; i += widest) {
+    const double* const begin = coordinates + 2 * i;
+    const Widest begin0 = load_widest(begin), begin1 = load_widest(begin + widest);
+    const Widest end0 = load_widest(begin + 2), end1 = load_widest(begin + widest + 2);
+    const Widest low0 = min(begin0, end0), low1 = min(begin1, end1);
+    const Widest high0 = max(begin0, end0), high1 = max(begin1, end1);
+    store(boxes.min_x + i, evens(low0, low1));
+    store(boxes.min_y + i, odds(low0, low1));
+    store(boxes.max_x + i, evens(high0, high1));
+    store(boxes.max_y + i, odds(high0, high1));
   }
 }
 
 // Least (or greatest) of each group of four.
 template <typename Pick>
 inline void by_groups(const double* values, double* result, const Pick& pick) {
-  for (std::size_t group = 0; group < SegmentBoxes::groups; group += lanes) {
-    Lanes rows[lanes];
-    for (std::size_t k = 0; k < lanes; ++k) rows[k] = load(values + (group + k) * lanes);
-    transpose(rows);
-    store(result + group, pick(pick(rows[0], rows[1]), pick(rows[2], rows[3])));
+  for (std::size_t group = 0; group < SegmentBoxes::groups; group += widest) {
+    Widest rows[4];
+    for (std::size_t k = 0; k < 4; ++k) rows[k] = load_widest(values + 4 * group + k * widest);
+    const Widest first = pick(evens(rows[0], rows[1]), odds(rows[0], rows[1]));
+    const Widest second = pick(evens(rows[2], rows[3]), odds(rows[2], rows[3]));
+    store(result + group, pick(evens(first, second), odds(first, second)));
   }
 }
 
 inline void group_boxes(SegmentBoxes& boxes) {
-  const auto lower = [](Lanes a, Lanes b) { return min(a, b); };
-  const auto upper = [](Lanes a, Lanes b) { return max(a, b); };
+  const auto lower = [](Widest a, Widest b) { return min(a, b); };
+  const auto upper = [](Widest a, Widest b) { return max(a, b); };
   by_groups(boxes.min_x, boxes.group_min_x, lower);
   by_groups(boxes.min_y, boxes.group_min_y, lower);
   by_groups(boxes.max_x, boxes.group_max_x, upper);
   by_groups(boxes.max_y, boxes.group_max_y, upper);
 }
 
-// normal . p for each of the points of a leaf, and what rounding can do to any of them.
+// normal . p for each of the points of a leaf but the last, that of the last, and what rounding can do to any of them.
 struct SignedDistances {
-  alignas(32) double of[leaf_size + lanes];  // the last one filled up
+  Widest of[leaf_size / widest];
+  double last;
   double uncertainty;
 };
 inline void distances_of(const Point* points, Point normal, SignedDistances& distances) {
   const double* coordinates = &points[0].x;
-  const Lanes weight = {normal.x, normal.y, normal.x, normal.y};
-  Lanes size = splat(0);
-  for (std::size_t i = 0; i < leaf_size; i += lanes) {
-    const Lanes first = load(coordinates + 2 * i) * weight, second = load(coordinates + 2 * i + 4) * weight;
-    const Lanes by_x = __builtin_shufflevector(first, second, 0, 2, 4, 6);
-    const Lanes by_y = __builtin_shufflevector(first, second, 1, 3, 5, 7);
-    store(distances.of + i, by_x + by_y);
-    size = max(size, absolute(by_x) + absolute(by_y));
+  const Widest weight = repeat(Lanes{normal.x, normal.y, normal.x, normal.y});
+  const double last_by_x = points[leaf_size].x * normal.x, last_by_y = points[leaf_size].y * normal.y;
+  Widest size = splat_widest(__builtin_fabs(last_by_x) + __builtin_fabs(last_by_y));
+  for (std::size_t k = 0; k < leaf_size / widest; ++k) {
+    const double* const pair = coordinates + 2 * widest * k;
+    const Widest first = load_widest(pair) * weight, second = load_widest(pair + widest) * weight;
+    const Widest by_x = evens(first, second), by_y = odds(first, second);
+    distances.of[k] = by_x + by_y;
+    size = max(size, max(by_x, -by_x) + max(by_y, -by_y));
   }
-  const double by_x = points[leaf_size].x * normal.x, by_y = points[leaf_size].y * normal.y;
-  store(distances.of + leaf_size, splat(by_x + by_y));
-  size = max(size, absolute(splat(by_x)) + absolute(splat(by_y)));
-  distances.uncertainty = greatest(size) * 0x1p-51 + 0x1p-1000;  // three roundings; products may underflow
+  distances.last = last_by_x + last_by_y;
+  // Three roundings; products may underflow.
+  distances.uncertainty = greatest(greatest_four(size)) * 0x1p-51 + 0x1p-1000;
 }
 
 inline void fit_slab(const Point* points, Slab& slab) {
@@ -71,76 +71,86 @@ inline void fit_slab(const Point* points, Slab& slab) {
   if (!__builtin_isfinite(slab.normal.x) || !__builtin_isfinite(slab.normal.y)) slab.normal = {0, 0};
   SignedDistances distances;
   distances_of(points, slab.normal, distances);
-  Lanes low = load(distances.of + leaf_size), high = low;
-  for (std::size_t i = 0; i < leaf_size; i += lanes) {
-    low = min(low, load(distances.of + i));
-    high = max(high, load(distances.of + i));
+  Widest low = splat_widest(distances.last), high = low;
+  for (const Widest distance : distances.of) {
+    low = min(low, distance);
+    high = max(high, distance);
   }
-  slab.low = least(low) - distances.uncertainty;
-  slab.high = greatest(high) + distances.uncertainty;
+  slab.low = least(least_four(low)) - distances.uncertainty;
+  slab.high = greatest(greatest_four(high)) + distances.uncertainty;
 }
 
 // Bit j is set unless segment j of leaf b lies wholly on one side of the slab of leaf a.
 inline std::uint32_t meeting_slab(const SegmentBoxes& a, const Point* b) {
   SignedDistances distances;
   distances_of(b, a.slab.normal, distances);
-  const Lanes low = splat(a.slab.low - distances.uncertainty), high = splat(a.slab.high + distances.uncertainty);
-  std::uint64_t above = 0, below = 0;  // bits of the points
-  for (std::size_t i = 0; i < leaf_size + lanes; i += lanes) {
-    const Lanes distance = load(distances.of + i);
-    above |= static_cast<std::uint64_t>(mask_bits(distance > high)) << i;
-    below |= static_cast<std::uint64_t>(mask_bits(distance < low)) << i;
+  const double lowest = a.slab.low - distances.uncertainty, highest = a.slab.high + distances.uncertainty;
+  const Widest low = splat_widest(lowest), high = splat_widest(highest);
+  std::uint64_t above = static_cast<std::uint64_t>(distances.last > highest) << leaf_size,
+                below = static_cast<std::uint64_t>(distances.last < lowest) << leaf_size;  // bits of the points
+  for (std::size_t k = 0; k < leaf_size / widest; ++k) {
+    above |= static_cast<std::uint64_t>(mask_bits(less(high, distances.of[k]))) << widest * k;
+    below |= static_cast<std::uint64_t>(mask_bits(less(distances.of[k], low))) << widest * k;
   }
   return ~static_cast<std::uint32_t>((above & above >> 1) | (below & below >> 1));
 }
 
-// Four of the boxes against a rectangle.
-inline LaneMask meeting_four(const double* min_x, const double* max_x, const double* min_y, const double* max_y,
-                             Lanes left, Lanes right, Lanes bottom, Lanes top) {
-  return (load(min_x) <= right) & (load(max_x) >= left) & (load(min_y) <= top) & (load(max_y) >= bottom);
+// Boxes against a rectangle, as many as there is room for.
+struct Sides {
+  Widest left, right, bottom, top;
+};
+inline void splat_sides(const Box& box, Sides& sides) {
+  sides = {splat_widest(box.min_x()), splat_widest(box.max_x()), splat_widest(box.min_y()), splat_widest(box.max_y())};
 }
-// Four of the groups, from the given one on.
-inline LaneMask meeting_groups_from(const SegmentBoxes& boxes, std::size_t g, Lanes left, Lanes right, Lanes bottom,
-                                    Lanes top) {
-  return meeting_four(boxes.group_min_x + g, boxes.group_max_x + g, boxes.group_min_y + g, boxes.group_max_y + g, left,
-                      right, bottom, top);
+// The segments and the groups from the given one on.
+inline auto meeting_segments_from(const SegmentBoxes& boxes, std::size_t i, const Sides& sides) {
+  return both(
+      both(at_most(load_widest(boxes.min_x + i), sides.right), at_most(sides.left, load_widest(boxes.max_x + i))),
+      both(at_most(load_widest(boxes.min_y + i), sides.top), at_most(sides.bottom, load_widest(boxes.max_y + i))));
 }
-
-// Bit g is set where group g meets the rectangle.
-inline unsigned meeting_groups(const SegmentBoxes& boxes, Lanes left, Lanes right, Lanes bottom, Lanes top) {
-  unsigned groups = 0;
-  for (std::size_t g = 0; g < SegmentBoxes::groups; g += lanes) {
-    groups |= mask_bits(meeting_groups_from(boxes, g, left, right, bottom, top)) << g;
-  }
-  return groups;
+inline auto meeting_groups_from(const SegmentBoxes& boxes, std::size_t g, const Sides& sides) {
+  return both(both(at_most(load_widest(boxes.group_min_x + g), sides.right),
+                   at_most(sides.left, load_widest(boxes.group_max_x + g))),
+              both(at_most(load_widest(boxes.group_min_y + g), sides.top),
+                   at_most(sides.bottom, load_widest(boxes.group_max_y + g))));
 }
 
 // The box of the groups that meet a rectangle; empty where there are none.
 inline void box_of_meeting_groups(const SegmentBoxes& boxes, const Box& rectangle, Box& box) {
-  const Lanes left = splat(rectangle.min_x()), right = splat(rectangle.max_x()), bottom = splat(rectangle.min_y()),
-              top = splat(rectangle.max_y()), none = splat(__builtin_inf());
-  Lanes rows[lanes] = {none, none, none, none};
-  for (std::size_t g = 0; g < SegmentBoxes::groups; g += lanes) {
-    const LaneMask met = meeting_groups_from(boxes, g, left, right, bottom, top);
-    rows[0] = min(rows[0], met ? load(boxes.group_min_x + g) : none);
-    rows[1] = min(rows[1], met ? load(boxes.group_min_y + g) : none);
-    rows[2] = min(rows[2], met ? -load(boxes.group_max_x + g) : none);
-    rows[3] = min(rows[3], met ? -load(boxes.group_max_y + g) : none);
+  Sides sides;
+  splat_sides(rectangle, sides);
+  const Widest none = splat_widest(__builtin_inf());
+  Widest corner[4] = {none, none, none, none};
+  for (std::size_t g = 0; g < SegmentBoxes::groups; g += widest) {
+    const auto met = meeting_groups_from(boxes, g, sides);
+    corner[0] = min(corner[0], choose(met, load_widest(boxes.group_min_x + g), none));
+    corner[1] = min(corner[1], choose(met, load_widest(boxes.group_min_y + g), none));
+    corner[2] = min(corner[2], choose(met, -load_widest(boxes.group_max_x + g), none));
+    corner[3] = min(corner[3], choose(met, -load_widest(boxes.group_max_y + g), none));
   }
+  Lanes rows[lanes] = {least_four(corner[0]), least_four(corner[1]), least_four(corner[2]), least_four(corner[3])};
   transpose(rows);
   store(box.lane, min(min(rows[0], rows[1]), min(rows[2], rows[3])));
 }
 
 // Bit i is set where box i meets the rectangle.
-inline std::uint32_t meeting_bits(const SegmentBoxes& boxes, double min_x, double max_x, double min_y, double max_y) {
-  const Lanes left = splat(min_x), right = splat(max_x), bottom = splat(min_y), top = splat(max_y);
+inline std::uint32_t meeting_bits(const SegmentBoxes& boxes, const Box& rectangle) {
+  Sides sides;
+  splat_sides(rectangle, sides);
   std::uint32_t bits = 0;
-  for (unsigned groups = meeting_groups(boxes, left, right, bottom, top); groups != 0; groups &= groups - 1) {
-    const auto i = static_cast<std::size_t>(__builtin_ctz(groups)) * lanes;
-    bits |= mask_bits(meeting_four(boxes.min_x + i, boxes.max_x + i, boxes.min_y + i, boxes.max_y + i, left, right,
-                                   bottom, top))
-            << i;
+#ifdef __AVX512F__
+  for (std::size_t i = 0; i < leaf_size; i += widest) bits |= mask_bits(meeting_segments_from(boxes, i, sides)) << i;
+#else
+  // Groups first: eight tests are more than those of the groups and of one or two of them.
+  unsigned groups = 0;
+  for (std::size_t g = 0; g < SegmentBoxes::groups; g += widest) {
+    groups |= mask_bits(meeting_groups_from(boxes, g, sides)) << g;
   }
+  for (; groups != 0; groups &= groups - 1) {
+    const auto i = static_cast<std::size_t>(__builtin_ctz(groups)) * lanes;
+    bits |= mask_bits(meeting_segments_from(boxes, i, sides)) << i;
+  }
+#endif
   return bits;
 }
 
@@ -158,14 +168,14 @@ inline std::uint32_t even_bits(std::uint64_t bits) {
 // would meet each other.
 inline std::uint32_t meeting_box(const Point* points, const Box& other) {
   const double* coordinates = &points[0].x;
-  const Lanes lower = {other.min_x(), other.min_y(), other.min_x(), other.min_y()},
-              upper = {other.max_x(), other.max_y(), other.max_x(), other.max_y()};
+  const Widest lower = repeat(Lanes{other.min_x(), other.min_y(), other.min_x(), other.min_y()}),
+               upper = repeat(Lanes{other.max_x(), other.max_y(), other.max_x(), other.max_y()});
   std::uint64_t meets = 0, moves = 0;  // bits for x and y in turns
-  for (std::size_t i = 0; i < 2 * leaf_size; i += lanes) {
-    const Lanes begin = load(coordinates + i), end = load(coordinates + i + 2);
-    const Lanes low = min(begin, end), high = max(begin, end);
-    meets |= static_cast<std::uint64_t>(mask_bits((low <= upper) & (high >= lower))) << i;
-    moves |= static_cast<std::uint64_t>(mask_bits(low < high)) << i;
+  for (std::size_t i = 0; i < 2 * leaf_size; i += widest) {
+    const Widest begin = load_widest(coordinates + i), end = load_widest(coordinates + i + 2);
+    const Widest low = min(begin, end), high = max(begin, end);
+    meets |= static_cast<std::uint64_t>(mask_bits(both(at_most(low, upper), at_most(lower, high)))) << i;
+    moves |= static_cast<std::uint64_t>(mask_bits(less(low, high))) << i;
   }
   return even_bits(meets & meets >> 1 & (moves | moves >> 1));
 }
@@ -182,7 +192,7 @@ inline std::size_t find_meeting(const SegmentBoxes& a, std::uint32_t a_begin, co
   for (; candidates != 0; candidates &= candidates - 1) {
     const auto j = static_cast<std::uint32_t>(__builtin_ctz(candidates));
     const Box box = Box::of(b[j], b[j + 1]);
-    std::uint32_t met = meeting_bits(a, box.min_x(), box.max_x(), box.min_y(), box.max_y());
+    std::uint32_t met = meeting_bits(a, box);
     for (; met != 0; met &= met - 1) {
       pairs[count++] = {a_begin + static_cast<std::uint32_t>(__builtin_ctz(met)), b_begin + j};
     }

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "kernels/double_double.hpp"
+#include "kernels/eight.hpp"
 #include "kernels/leaf.hpp"
 #include "kernels/point.hpp"
 
@@ -18,13 +19,13 @@ LOBER_INLINE DD shoelace(Point a, Point b, Point origin) {
 
 /// The shoelace terms of the segments of a leaf and, for each, the sum of all that come before it.
 struct alignas(64) LeafPrefixes {
-  static constexpr std::size_t quarter = leaf_size / lanes;
+  static constexpr std::size_t column = leaf_size / eight;
   double term_high[leaf_size], term_low[leaf_size];
   double before_high[leaf_size], before_low[leaf_size];
 
-  /// Segments are stored in this order: four sums run side by side.
+  /// Segments are stored in this order: eight sums run side by side.
   [[nodiscard]] LOBER_INLINE static constexpr std::size_t index_of(std::size_t segment) {
-    return segment % quarter * lanes + segment / quarter;
+    return segment % column * eight + segment / column;
   }
   [[nodiscard]] LOBER_INLINE DD term(std::size_t segment) const {
     return {term_high[index_of(segment)], term_low[index_of(segment)]};

@@ -1,137 +1,143 @@
 // Bodies of shoelace_prefixes and sums_at (kernels/all.inl).
 #pragma once
 
+#include "kernels/eight.hpp"
 #include "kernels/shoelace.hpp"
-#include "kernels/simd.hpp"
 
 namespace lober::detail {
 namespace {
 
 // cross(a - o, b - o) = cross(a - o, b - a), where b - a is short and, mostly, exact in double.
-inline BasicDD<Lanes> terms_of(Lanes ax, Lanes ay, Lanes bx, Lanes by, Lanes x, Lanes y) {
-  const BasicDD<Lanes> rx = two_diff(ax, x), ry = two_diff(ay, y), ex = two_diff(bx, ax), ey = two_diff(by, ay);
-  if (mask_bits((ex.lo == 0) & (ey.lo == 0)) != 15U) return cross(rx, ry, ex, ey);
-  const BasicDD<Lanes> left = two_product(rx.hi, ey.hi), right = two_product(ry.hi, ex.hi);
-  const BasicDD<Lanes> main = two_diff(left.hi, right.hi);
+inline BasicDD<Widest> terms_of(Widest ax, Widest ay, Widest bx, Widest by, Widest x, Widest y) {
+  const BasicDD<Widest> rx = two_diff(ax, x), ry = two_diff(ay, y), ex = two_diff(bx, ax), ey = two_diff(by, ay);
+  const Widest zero = splat_widest(0);
+  if (mask_bits(both(equal(ex.lo, zero), equal(ey.lo, zero))) != (1U << widest) - 1) return cross(rx, ry, ex, ey);
+  const BasicDD<Widest> left = two_product(rx.hi, ey.hi), right = two_product(ry.hi, ex.hi);
+  const BasicDD<Widest> main = two_diff(left.hi, right.hi);
   return fast_two_sum(main.hi, main.lo + ((left.lo - right.lo) + (rx.lo * ey.hi - ry.lo * ex.hi)));
 }
 
-// Calls take(i, term) for each step i of a leaf, in order: lane l goes along the l-th quarter of the leaf, so that four
-// sums run side by side.
+// Of leaf_size pairs of doubles, from `pairs` on, those numbered i, i + column, i + 2 column ... as x[i] and y[i], as
+// many as there is room for.
+constexpr std::size_t column = LeafPrefixes::column;
+static_assert(column == 4);
+inline void load_columns(const double* pairs, Widest (&x)[column], Widest (&y)[column]) {
 #ifdef __AVX512F__
-using EightLanes = double __attribute__((vector_size(64)));
-
-LOBER_INLINE EightLanes joined(Lanes a, Lanes b) {
-  return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
-}
-LOBER_INLINE BasicDD<EightLanes> two_product_of_eight(EightLanes a, EightLanes b) {
-  const EightLanes product = a * b;
-  return {product, _mm512_fmsub_pd(a, b, product)};
-}
-
-// Two steps at once, where all differences are exact in double.
-template <typename Take>
-LOBER_INLINE void for_each_step(const Point* points, Point origin, const Take& take) {
-  const double* coordinates = &points[0].x;
-  const Lanes x = splat(origin.x), y = splat(origin.y);
-  const EightLanes x8 = joined(x, x), y8 = joined(y, y);
-  // The points of step i and of the next one.
-  const auto load_step = [&](std::size_t i, Lanes (&row)[lanes]) {
-    for (std::size_t l = 0; l < lanes; ++l) row[l] = load(coordinates + 2 * (l * LeafPrefixes::quarter + i));
-    transpose(row);
+  const auto rows_of = [&](auto half, Eight(&to)[column]) {
+    Eight two[4];  // two columns each: of one and of the next in turns
+    for (std::size_t k = 0; k < 4; ++k) two[k] = half(load_widest(pairs + 16 * k), load_widest(pairs + 16 * k + 8));
+    const Eight a = __builtin_shufflevector(two[0], two[1], 0, 1, 4, 5, 8, 9, 12, 13),
+                b = __builtin_shufflevector(two[0], two[1], 2, 3, 6, 7, 10, 11, 14, 15),
+                c = __builtin_shufflevector(two[2], two[3], 0, 1, 4, 5, 8, 9, 12, 13),
+                d = __builtin_shufflevector(two[2], two[3], 2, 3, 6, 7, 10, 11, 14, 15);
+    to[0] = __builtin_shufflevector(a, c, 0, 1, 4, 5, 8, 9, 12, 13);
+    to[1] = __builtin_shufflevector(b, d, 0, 1, 4, 5, 8, 9, 12, 13);
+    to[2] = __builtin_shufflevector(a, c, 2, 3, 6, 7, 10, 11, 14, 15);
+    to[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7, 10, 11, 14, 15);
   };
-  Lanes row[lanes];
-  load_step(0, row);
-  for (std::size_t i = 0; i < LeafPrefixes::quarter; i += 2) {
-    Lanes next[lanes];
-    const bool last = i + 2 == LeafPrefixes::quarter;
-    load_step(last ? i + 1 : i + 2, next);
-    const Lanes end_x = last ? next[2] : next[0], end_y = last ? next[3] : next[1];
-    const EightLanes ax = joined(row[0], row[2]), ay = joined(row[1], row[3]);
-    const BasicDD<EightLanes> ex = two_diff(joined(row[2], end_x), ax), ey = two_diff(joined(row[3], end_y), ay);
-    if (_mm512_cmp_pd_mask(ex.lo, EightLanes{}, _CMP_EQ_OQ) == 255 &&
-        _mm512_cmp_pd_mask(ey.lo, EightLanes{}, _CMP_EQ_OQ) == 255) {
-      const BasicDD<EightLanes> rx = two_diff(ax, x8), ry = two_diff(ay, y8);
-      const BasicDD<EightLanes> left = two_product_of_eight(rx.hi, ey.hi), right = two_product_of_eight(ry.hi, ex.hi);
-      const BasicDD<EightLanes> main = two_diff(left.hi, right.hi);
-      const BasicDD<EightLanes> term =
-          fast_two_sum(main.hi, main.lo + ((left.lo - right.lo) + (rx.lo * ey.hi - ry.lo * ex.hi)));
-      take(i, BasicDD<Lanes>{__builtin_shufflevector(term.hi, term.hi, 0, 1, 2, 3),
-                             __builtin_shufflevector(term.lo, term.lo, 0, 1, 2, 3)});
-      take(i + 1, BasicDD<Lanes>{__builtin_shufflevector(term.hi, term.hi, 4, 5, 6, 7),
-                                 __builtin_shufflevector(term.lo, term.lo, 4, 5, 6, 7)});
-    } else {
-      take(i, terms_of(row[0], row[1], row[2], row[3], x, y));
-      take(i + 1, terms_of(row[2], row[3], end_x, end_y, x, y));
-    }
-    for (std::size_t l = 0; l < lanes; ++l) row[l] = next[l];
-  }
-}
+  rows_of([](Eight p, Eight q) { return __builtin_shufflevector(p, q, 0, 8, 2, 10, 4, 12, 6, 14); }, x);
+  rows_of([](Eight p, Eight q) { return __builtin_shufflevector(p, q, 1, 9, 3, 11, 5, 13, 7, 15); }, y);
 #else
-template <typename Take>
-LOBER_INLINE void for_each_step(const Point* points, Point origin, const Take& take) {
-  const double* coordinates = &points[0].x;
-  const Lanes x = splat(origin.x), y = splat(origin.y);
-  for (std::size_t i = 0; i < LeafPrefixes::quarter; ++i) {
-    Lanes row[lanes];
-    for (std::size_t l = 0; l < lanes; ++l) row[l] = load(coordinates + 2 * (l * LeafPrefixes::quarter + i));
-    transpose(row);
-    take(i, terms_of(row[0], row[1], row[2], row[3], x, y));
+  for (std::size_t i = 0; i < column; i += 2) {
+    Lanes rows[lanes];
+    for (std::size_t l = 0; l < lanes; ++l) rows[l] = load(pairs + 2 * (column * l + i));
+    transpose(rows);
+    x[i] = rows[0];
+    y[i] = rows[1];
+    x[i + 1] = rows[2];
+    y[i + 1] = rows[3];
+  }
+#endif
+}
+
+// A running sum of each column, as RunningSum.
+template <typename Numbers>
+struct ColumnSums {
+  Numbers high, low;
+  LOBER_INLINE void add(BasicDD<Numbers> term) {
+    const BasicDD<Numbers> sum = two_sum(high, term.hi);
+    high = sum.hi;
+    low = low + (sum.lo + term.lo);
+  }
+};
+// Adds to each column the sums of all before it: those of one, of two and of four at once.
+inline void join_columns(ColumnSums<Eight>& sums) {
+  sums.add({moved_up<1>(sums.high), moved_up<1>(sums.low)});
+  sums.add({moved_up<2>(sums.high), moved_up<2>(sums.low)});
+  sums.add({moved_up<4>(sums.high), moved_up<4>(sums.low)});
+}
+
+// Calls take(part, i, term) for each part of the columns and each step i of theirs, in order, and end(part) behind the
+// last one.
+template <typename Take, typename End>
+LOBER_INLINE void for_each_step(const Point* points, Point origin, const Take& take, const End& end) {
+  const Widest x = splat_widest(origin.x), y = splat_widest(origin.y);
+  for (std::size_t k = 0; k < parts_of_eight; ++k) {
+    const Point* const from = points + k * widest * column;
+    Widest px[column], py[column];
+    load_columns(&from[0].x, px, py);
+    const Point next = from[widest * column];
+    const Widest end_x = followed_by(px[0], next.x), end_y = followed_by(py[0], next.y);
+    for (std::size_t i = 0; i < column; ++i) {
+      const bool last = i + 1 == column;
+      take(k, i, terms_of(px[i], py[i], last ? end_x : px[i + 1], last ? end_y : py[i + 1], x, y));
+    }
+    end(k);
   }
 }
-#endif
 
-// In the end each of the four sums is raised by what comes before its quarter.
+// In the end the sums of each column are raised by what comes before it.
 inline DD prefixes_of(const Point* points, Point origin, DD start, const DD* extra, LeafPrefixes& result) {
-  Lanes high = splat(0), low = splat(0);
-  for_each_step(points, origin, [&](std::size_t i, BasicDD<Lanes> term) {
-    const std::size_t at = i * lanes;
-    store(result.term_high + at, term.hi);
-    store(result.term_low + at, term.lo);
-    store(result.before_high + at, high);
-    store(result.before_low + at, low);
-    BasicDD<Lanes> sum = two_sum(high, term.hi);
-    low += sum.lo + term.lo;
-    if (extra != nullptr) {
-      Lanes more_high, more_low;
-      for (std::size_t l = 0; l < lanes; ++l) {
-        more_high[l] = extra[l * LeafPrefixes::quarter + i].hi;
-        more_low[l] = extra[l * LeafPrefixes::quarter + i].lo;
-      }
-      sum = two_sum(sum.hi, more_high);
-      low += sum.lo + more_low;
-    }
-    high = sum.hi;
-  });
-  Lanes start_high, start_low;
-  for (std::size_t l = 0; l < lanes; ++l) {
-    start_high[l] = start.hi;
-    start_low[l] = start.lo;
-    const DD sum = two_sum(start.hi, high[l]);
-    start = fast_two_sum(sum.hi, sum.lo + (start.lo + low[l]));
-  }
-  for (std::size_t at = 0; at < leaf_size; at += lanes) {
-    const BasicDD<Lanes> sum = two_sum(start_high, load(result.before_high + at));
+  const Widest nothing = splat_widest(0);
+  ColumnSums<Widest> sums{nothing, nothing};
+  Widest high[parts_of_eight], low[parts_of_eight], extra_high[column], extra_low[column];
+  for_each_step(
+      points, origin,
+      [&](std::size_t k, std::size_t i, BasicDD<Widest> term) {
+        const std::size_t at = i * eight + k * widest;
+        store(result.term_high + at, term.hi);
+        store(result.term_low + at, term.lo);
+        store(result.before_high + at, sums.high);
+        store(result.before_low + at, sums.low);
+        sums.add(term);
+        if (extra == nullptr) return;
+        if (i == 0) load_columns(&extra[k * widest * column].hi, extra_high, extra_low);
+        sums.add({extra_high[i], extra_low[i]});
+      },
+      [&](std::size_t k) {
+        high[k] = sums.high;
+        low[k] = sums.low;
+        sums = {nothing, nothing};
+      });
+  ColumnSums<Eight> all{eight_of(high), eight_of(low)};
+  join_columns(all);
+  const BasicDD<Eight> from = two_sum(splat_eight(start.hi), moved_up<1>(all.high));
+  const Eight from_low = from.lo + (splat_eight(start.lo) + moved_up<1>(all.low));
+  for (std::size_t at = 0; at < leaf_size; at += widest) {
+    const std::size_t k = at % eight / widest;
+    const BasicDD<Widest> sum = two_sum(part_of(from.hi, k), load_widest(result.before_high + at));
     store(result.before_high + at, sum.hi);
-    store(result.before_low + at, sum.lo + (start_low + load(result.before_low + at)));
+    store(result.before_low + at, sum.lo + (part_of(from_low, k) + load_widest(result.before_low + at)));
   }
-  return start;
+  const DD end = two_sum(start.hi, last_of(all.high));
+  return fast_two_sum(end.hi, end.lo + (start.lo + last_of(all.low)));
 }
 
 // The same without what comes before each segment.
 inline DD sum_of_leaf(const Point* points, Point origin) {
-  Lanes high = splat(0), low = splat(0);
-  for_each_step(points, origin, [&](std::size_t /*i*/, BasicDD<Lanes> term) {
-    const BasicDD<Lanes> sum = two_sum(high, term.hi);
-    high = sum.hi;
-    low += sum.lo + term.lo;
-  });
-  DD total;
-  for (std::size_t l = 0; l < lanes; ++l) {
-    const DD sum = two_sum(total.hi, high[l]);
-    total = fast_two_sum(sum.hi, sum.lo + (total.lo + low[l]));
-  }
-  return total;
+  const Widest nothing = splat_widest(0);
+  ColumnSums<Widest> sums{nothing, nothing};
+  Widest high[parts_of_eight], low[parts_of_eight];
+  for_each_step(
+      points, origin, [&](std::size_t /*k*/, std::size_t /*i*/, BasicDD<Widest> term) { sums.add(term); },
+      [&](std::size_t k) {
+        high[k] = sums.high;
+        low[k] = sums.low;
+        sums = {nothing, nothing};
+      });
+  ColumnSums<Eight> all{eight_of(high), eight_of(low)};
+  join_columns(all);
+  return fast_two_sum(last_of(all.high), last_of(all.low));
 }
 
 // Loads four double-doubles, lanes in the order 0, 2, 1, 3, and stores them so.
