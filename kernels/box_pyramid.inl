@@ -2,7 +2,8 @@
 #pragma once
 
 #include "kernels/box_pyramid.hpp"
-#include "kernels/simd.hpp"
+#include "kernels/eight.hpp"
+#include "kernels/node_lanes.inl"
 
 namespace lober::detail {
 namespace {
@@ -32,26 +33,49 @@ inline void distribute_nodes(const Box* four, std::size_t boxes, BoxPyramid pyra
   for (std::size_t i = 0; i < nodes_at_once; ++i) met_count[i] = end[i];
 }
 
+// Bit i is set where box i of four in a row is at most `bound` in all its lanes.
+inline unsigned four_within(const Box* four, Widest bound) {
+  unsigned bits = 0;  // those of all lanes
+  for (std::size_t k = 0; k < 4 * lanes; k += widest) {
+    bits |= mask_bits(at_most(load_widest(four[0].lane + k), bound)) << k;
+  }
+  bits &= bits >> 1U;
+  bits &= bits >> 2U & 0x1111U;
+  bits |= bits >> 3U;
+  return (bits & 3U) | (bits >> 6U & 12U);
+}
+
+// Nothing branches on what is kept and what is split either: first all are sorted by that.
 inline SplitCounts refine_nodes(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list,
                                 std::size_t count, TreeNode* kept, TreeNode* split) {
-  const Lanes bound = -__builtin_shufflevector(load(box.lane), load(box.lane), 2, 3, 0, 1);
   SplitCounts end{0, 0};
-  for (std::size_t k = 0; k < count; ++k) {
-    const TreeNode node = list[k];
-    if (node.level == 0 || box_of(pyramid, node).extent() <= largest) {
-      kept[end.kept++] = node;
-      continue;
+  TreeNode* const large = split + 3 * count;  // no more than four nodes are written for each that was read
+  std::size_t larger = 0;
+  if (largest < 0) {
+    for (std::size_t k = 0; k < count; ++k) {
+      const TreeNode node = list[k];
+      kept[end.kept] = large[larger] = node;
+      end.kept += static_cast<std::size_t>(node.level == 0);
+      larger += static_cast<std::size_t>(node.level != 0);
     }
+  } else {
+    for (std::size_t k = 0; k < count; ++k) {
+      const TreeNode node = list[k];
+      const bool stays = (node.level == 0) | (box_of(pyramid, node).extent() <= largest);
+      kept[end.kept] = large[larger] = node;
+      end.kept += static_cast<std::size_t>(stays);
+      larger += static_cast<std::size_t>(!stays);
+    }
+  }
+  const Widest bound = repeat(-__builtin_shufflevector(load(box.lane), load(box.lane), 2, 3, 0, 1));
+  for (std::size_t k = 0; k < larger; ++k) {
+    const TreeNode node = large[k];
     const std::uint32_t down = node.level < levels_at_once ? node.level : levels_at_once;
     const TreeNode first{node.level - down, node.index << down};
-    const Box* below = &box_of(pyramid, first);
     const std::uint32_t left = pyramid.size[first.level] - first.index;
     const std::uint32_t present = left < 1U << down ? left : 1U << down;
-    for (std::uint32_t i = 0; i < nodes_at_once; ++i) {
-      const bool meets = mask_bits(load(below[i].lane) <= bound) == 15;
-      split[end.split] = {first.level, first.index + i};
-      end.split += static_cast<unsigned>(meets) & static_cast<unsigned>(i < present);
-    }
+    const unsigned met = four_within(&box_of(pyramid, first), bound) & ((1U << present) - 1);
+    end.split += put_nodes(nodes_from(first), met, split + end.split);
   }
   return end;
 }
