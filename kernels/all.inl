@@ -36,7 +36,7 @@ const KernelTable LOBER_KERNELS{
     .follow_ray = follow_ray_down,
     .crossings_of_height = crossings_of_leaf,
     .chebyshev_points = evaluate_chebyshev,
-    .four_parameters = four_parameters,
+    .eight_parameters = eight_parameters,
     .chart_leaf = chart_of_leaf,
     .frames_of_leaves = put_frames_of_leaves,
     .join_frames = put_joined_frames,

@@ -17,7 +17,8 @@ InstructionSet processor_instruction_set() noexcept {
 #if defined(__x86_64__)
   __builtin_cpu_init();  // the first call may come before the constructors of the program have run
   if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) return InstructionSet::baseline;
-  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq")
+  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+                 __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("bmi2")
              ? InstructionSet::avx512
              : InstructionSet::avx2;
 #else

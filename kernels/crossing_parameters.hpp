@@ -1,4 +1,4 @@
-// The points where two segments cross properly: parameters on both, in double-double, four crossings at a time.
+// The points where two segments cross properly: parameters on both, in double-double, eight crossings at a time.
 #pragma once
 
 #include <cstddef>

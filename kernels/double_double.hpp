@@ -1,6 +1,6 @@
 // Error-free transforms and double-double arithmetic: an unevaluated sum hi + lo of two doubles, about 106 bits.
 //
-// All of it is written once for `double` and for vectors of doubles (kernels/simd.hpp, kernels/eight.hpp), with the same sequence of
+// All of it is written once for `double` and for vectors of doubles (kernels/eight.hpp), with the same sequence of
 // roundings in each lane, so that scalar and vector code give the same bits.
 //
 // Error bounds, u = 2^-53, no overflow or underflow (Dekker 1971, Knuth TAOCP 4.2.2; Joldes, Muller & Popescu 2017):

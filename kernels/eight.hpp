@@ -49,6 +49,10 @@ LOBER_INLINE Lanes odds_crosswise(Lanes a, Lanes b) {
 LOBER_INLINE Lanes followed_by(Lanes a, double last) {
   return __builtin_shufflevector(a, splat(last), 1, 2, 3, 4);
 }
+/// The last element of `before`, then a without its last one.
+LOBER_INLINE Lanes preceded_by(Lanes a, Lanes before) {
+  return __builtin_shufflevector(before, a, 3, 4, 5, 6);
+}
 
 #ifdef __AVX512F__
 
@@ -110,11 +114,15 @@ LOBER_INLINE Eight odds_crosswise(Eight a, Eight b) {
 LOBER_INLINE Eight followed_by(Eight a, double last) {
   return __builtin_shufflevector(a, splat_eight(last), 1, 2, 3, 4, 5, 6, 7, 8);
 }
+LOBER_INLINE Eight preceded_by(Eight a, Eight before) {
+  return __builtin_shufflevector(before, a, 7, 8, 9, 10, 11, 12, 13, 14);
+}
 /// Zeros in the first `by` places, then the elements from the first one on.
 template <int by>
 LOBER_INLINE Eight moved_up(Eight a) {
   constexpr int from = eight - by;
-  return __builtin_shufflevector(Eight{}, a, from, from + 1, from + 2, from + 3, from + 4, from + 5, from + 6, from + 7);
+  return __builtin_shufflevector(Eight{}, a, from, from + 1, from + 2, from + 3, from + 4, from + 5, from + 6,
+                                 from + 7);
 }
 LOBER_INLINE double last_of(Eight a) {
   return a[7];

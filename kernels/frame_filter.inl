@@ -1,9 +1,9 @@
 // Bodies of the kernels of frames (kernels/all.inl).
 #pragma once
 
+#include "kernels/eight.hpp"
 #include "kernels/frame_filter.hpp"
 #include "kernels/node_lanes.inl"
-#include "kernels/simd.hpp"
 
 namespace lober::detail {
 namespace {
@@ -67,15 +67,17 @@ inline void put_frames_of_leaves(const Point* const* points, const Box* const* b
   normalise_chords(dx, dy, along);
   for (std::size_t k = 0; k < lanes; ++k) {
     const double* coordinates = &points[k][0].x;
-    const Lanes ax = splat(along.x[k]), ay = splat(along.y[k]);
-    low[k] = high[k] = splat(along.x[k] * points[k][leaf_size].y - along.y[k] * points[k][leaf_size].x);
-    for (std::size_t i = 0; i < leaf_size; i += lanes) {
-      const Lanes first = load(coordinates + 2 * i), second = load(coordinates + 2 * i + 4);
-      const Lanes beside = ax * __builtin_shufflevector(first, second, 1, 5, 3, 7) -
-                           ay * __builtin_shufflevector(first, second, 0, 4, 2, 6);
-      low[k] = min(low[k], beside);
-      high[k] = max(high[k], beside);
+    const Widest ax = splat_widest(along.x[k]), ay = splat_widest(along.y[k]);
+    Widest lowest = splat_widest(along.x[k] * points[k][leaf_size].y - along.y[k] * points[k][leaf_size].x),
+           highest = lowest;
+    for (std::size_t i = 0; i < leaf_size; i += widest) {
+      const Widest first = load_widest(coordinates + 2 * i), second = load_widest(coordinates + 2 * i + widest);
+      const Widest beside = ax * odds_crosswise(first, second) - ay * evens_crosswise(first, second);
+      lowest = min(lowest, beside);
+      highest = max(highest, beside);
     }
+    low[k] = least_four(lowest);
+    high[k] = greatest_four(highest);
   }
   transpose(low);
   transpose(high);

@@ -39,7 +39,7 @@ struct KernelTable {
   HeightCrossings (*crossings_of_height)(const Point* points, Point point);
   void (*chebyshev_points)(const Point* coefficients, std::size_t degrees, double centre, double half_width,
                            const double* parameters, std::size_t size, Point* points);
-  unsigned (*four_parameters)(const SegmentCrossing* crossings, double scale, CrossingParameters* parameters);
+  unsigned (*eight_parameters)(const SegmentCrossing* crossings, double scale, CrossingParameters* parameters);
   void (*chart_leaf)(const Point* points, const Box& box, const Box& window, const FoldChart& chart,
                      ChartedLeaf& charted);
   void (*frames_of_leaves)(const Point* const* points, const Box* const* boxes, FourFrames& frames);

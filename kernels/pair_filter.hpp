@@ -1,4 +1,4 @@
-// The first look at candidate pairs of segments: four at a time, in floating point, with a proof or none.
+// The first look at candidate pairs of segments: several at a time, in floating point, with a proof or none.
 #pragma once
 
 #include <cstddef>

@@ -1,34 +1,34 @@
 // Body of filter_pairs (kernels/all.inl).
 #pragma once
 
+#include "kernels/fours.inl"
 #include "kernels/pair_filter.hpp"
 #include "kernels/predicates.hpp"
-#include "kernels/simd.hpp"
 
 namespace lober::detail {
 namespace {
 
-// Lanes of orient2d: which are certainly positive and which certainly negative.
+// The signs of a row of orient2d that are certain.
 struct Signs {
   unsigned positive, negative;
 };
 
-inline Signs orientations(Lanes ax, Lanes ay, Lanes bx, Lanes by, Lanes cx, Lanes cy) {
-  const Lanes left = (ax - cx) * (by - cy), right = (ay - cy) * (bx - cx);
-  const Lanes determinant = left - right;
-  const Lanes bound = splat(orient2d_error) * (absolute(left) + absolute(right)) + splat(orient2d_floor);
-  return {mask_bits(determinant > bound), mask_bits(-determinant > bound)};
+inline Signs orientations(Widest ax, Widest ay, Widest bx, Widest by, Widest cx, Widest cy) {
+  const Widest left = (ax - cx) * (by - cy), right = (ay - cy) * (bx - cx);
+  const Widest determinant = left - right;
+  const Widest bound =
+      splat_widest(orient2d_error) * (max(left, -left) + max(right, -right)) + splat_widest(orient2d_floor);
+  return {mask_bits(less(bound, determinant)), mask_bits(less(bound, -determinant))};
 }
 
-inline void verdicts_of_four(const Point* const (&first)[lanes], const Point* const (&second)[lanes],
-                             PairVerdict* verdicts) {
-  Lanes p[lanes], q[lanes];
-  for (std::size_t k = 0; k < lanes; ++k) {
-    p[k] = load(&first[k]->x);
-    q[k] = load(&second[k]->x);
-  }
-  transpose(p);
-  transpose(q);
+// Which of as many pairs as there is room for are certainly apart, and which certainly cross.
+struct PairBits {
+  unsigned apart, to_left, to_right;
+};
+inline PairBits verdicts_of(const double* const* first, const double* const* second) {
+  Widest p[4], q[4];
+  load_fours(first, p);
+  load_fours(second, q);
   const Signs c = orientations(p[0], p[1], p[2], p[3], q[0], q[1]);
   const Signs d = orientations(p[0], p[1], p[2], p[3], q[2], q[3]);
   const Signs a = orientations(q[0], q[1], q[2], q[3], p[0], p[1]);
@@ -36,32 +36,33 @@ inline void verdicts_of_four(const Point* const (&first)[lanes], const Point* co
   const unsigned apart =
       (c.positive & d.positive) | (c.negative & d.negative) | (a.positive & b.positive) | (a.negative & b.negative);
   const unsigned across = (a.positive & b.negative) | (a.negative & b.positive);
-  const unsigned to_left = c.negative & d.positive & across, to_right = c.positive & d.negative & across;
-  for (std::size_t k = 0; k < lanes; ++k) {
-    const unsigned bit = 1U << k;
-    verdicts[k] = (apart & bit) != 0      ? PairVerdict::apart
-                  : (to_left & bit) != 0  ? PairVerdict::crosses_to_left
-                  : (to_right & bit) != 0 ? PairVerdict::crosses_to_right
-                                          : PairVerdict::uncertain;
-  }
+  return {apart, c.negative & d.positive & across, c.positive & d.negative & across};
 }
 
 inline void filter_all_pairs(SegmentSource first, SegmentSource second, const SegmentPair* pairs, std::size_t count,
                              PairVerdict* verdicts) {
-  for (std::size_t begin = 0; begin < count; begin += lanes) {
-    const Point* p[lanes];
-    const Point* q[lanes];
-    bool wrapped[lanes];
-    PairVerdict four[lanes];
-    const std::size_t together = count - begin < lanes ? count - begin : lanes;
-    for (std::size_t k = 0; k < lanes; ++k) {
+  for (std::size_t begin = 0; begin < count; begin += widest) {
+    const double* p[widest];
+    const double* q[widest];
+    unsigned wrapped = 0;
+    const std::size_t together = count - begin < widest ? count - begin : widest;
+    for (std::size_t k = 0; k < widest; ++k) {
       const SegmentPair pair = pairs[begin + (k < together ? k : 0)];
-      wrapped[k] = pair.first >= first.first_wrapped || pair.second >= second.first_wrapped;
-      p[k] = first.points + (wrapped[k] ? 0 : pair.first);
-      q[k] = second.points + (wrapped[k] ? 0 : pair.second);
+      const bool is_wrapped = pair.first >= first.first_wrapped || pair.second >= second.first_wrapped;
+      wrapped |= static_cast<unsigned>(is_wrapped) << k;
+      p[k] = &first.points[is_wrapped ? 0 : pair.first].x;
+      q[k] = &second.points[is_wrapped ? 0 : pair.second].x;
     }
-    verdicts_of_four(p, q, four);
-    for (std::size_t k = 0; k < together; ++k) verdicts[begin + k] = wrapped[k] ? PairVerdict::uncertain : four[k];
+    const PairBits found = verdicts_of(p, q);
+    // Verdicts are numbers from 0 to 3, of two bits each.
+    static_assert(static_cast<int>(PairVerdict::apart) == 0 && static_cast<int>(PairVerdict::crosses_to_left) == 1 &&
+                  static_cast<int>(PairVerdict::crosses_to_right) == 2 &&
+                  static_cast<int>(PairVerdict::uncertain) == 3);
+    const unsigned uncertain = wrapped | ~(found.apart | found.to_left | found.to_right);
+    const unsigned low = found.to_left | uncertain, high = found.to_right | uncertain;
+    for (std::size_t k = 0; k < together; ++k) {
+      verdicts[begin + k] = static_cast<PairVerdict>((low >> k & 1U) | (high >> k & 1U) << 1U);
+    }
   }
 }
 

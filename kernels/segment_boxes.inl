@@ -156,28 +156,30 @@ inline std::uint32_t meeting_bits(const SegmentBoxes& boxes, const Box& rectangl
 
 // The bits 0, 2, 4, ... of a number, side by side.
 inline std::uint32_t even_bits(std::uint64_t bits) {
+#ifdef __AVX512F__  // some processors without it are slow at this
+  return static_cast<std::uint32_t>(_pext_u64(bits, 0x5555555555555555));
+#else
   bits &= 0x5555555555555555;
   bits = (bits | bits >> 1) & 0x3333333333333333;
   bits = (bits | bits >> 2) & 0x0f0f0f0f0f0f0f0f;
   bits = (bits | bits >> 4) & 0x00ff00ff00ff00ff;
   bits = (bits | bits >> 8) & 0x0000ffff0000ffff;
   return static_cast<std::uint32_t>(bits | bits >> 16);
+#endif
 }
 
-// Bit j is set where the box of segment j of the leaf meets the other box and is no point: runs of repeated vertices
-// would meet each other.
+// Bit j is set where the box of segment j of the leaf meets the other box.
 inline std::uint32_t meeting_box(const Point* points, const Box& other) {
   const double* coordinates = &points[0].x;
   const Widest lower = repeat(Lanes{other.min_x(), other.min_y(), other.min_x(), other.min_y()}),
                upper = repeat(Lanes{other.max_x(), other.max_y(), other.max_x(), other.max_y()});
-  std::uint64_t meets = 0, moves = 0;  // bits for x and y in turns
+  std::uint64_t meets = 0;  // bits for x and y in turns
   for (std::size_t i = 0; i < 2 * leaf_size; i += widest) {
     const Widest begin = load_widest(coordinates + i), end = load_widest(coordinates + i + 2);
     const Widest low = min(begin, end), high = max(begin, end);
     meets |= static_cast<std::uint64_t>(mask_bits(both(at_most(low, upper), at_most(lower, high)))) << i;
-    moves |= static_cast<std::uint64_t>(mask_bits(less(low, high))) << i;
   }
-  return even_bits(meets & meets >> 1 & (moves | moves >> 1));
+  return even_bits(meets & meets >> 1);
 }
 
 inline std::size_t find_meeting(const SegmentBoxes& a, std::uint32_t a_begin, const Point* b, const Box& b_box,
@@ -192,6 +194,7 @@ inline std::size_t find_meeting(const SegmentBoxes& a, std::uint32_t a_begin, co
   for (; candidates != 0; candidates &= candidates - 1) {
     const auto j = static_cast<std::uint32_t>(__builtin_ctz(candidates));
     const Box box = Box::of(b[j], b[j + 1]);
+    if (is_point(box)) continue;  // runs of repeated vertices would meet each other
     std::uint32_t met = meeting_bits(a, box);
     for (; met != 0; met &= met - 1) {
       pairs[count++] = {a_begin + static_cast<std::uint32_t>(__builtin_ctz(met)), b_begin + j};

@@ -2,53 +2,34 @@
 #pragma once
 
 #include "kernels/eight.hpp"
+#include "kernels/fours.inl"
 #include "kernels/shoelace.hpp"
 
 namespace lober::detail {
 namespace {
 
-// cross(a - o, b - o) = cross(a - o, b - a), where b - a is short and, mostly, exact in double.
+// cross(a - o, b - o) = cross(a - o, b - a), where b - a is short and, mostly, exact in double. Whether it is, four
+// columns decide together.
 inline BasicDD<Widest> terms_of(Widest ax, Widest ay, Widest bx, Widest by, Widest x, Widest y) {
   const BasicDD<Widest> rx = two_diff(ax, x), ry = two_diff(ay, y), ex = two_diff(bx, ax), ey = two_diff(by, ay);
-  const Widest zero = splat_widest(0);
-  if (mask_bits(both(equal(ex.lo, zero), equal(ey.lo, zero))) != (1U << widest) - 1) return cross(rx, ry, ex, ey);
   const BasicDD<Widest> left = two_product(rx.hi, ey.hi), right = two_product(ry.hi, ex.hi);
   const BasicDD<Widest> main = two_diff(left.hi, right.hi);
-  return fast_two_sum(main.hi, main.lo + ((left.lo - right.lo) + (rx.lo * ey.hi - ry.lo * ex.hi)));
-}
-
-// Of leaf_size pairs of doubles, from `pairs` on, those numbered i, i + column, i + 2 column ... as x[i] and y[i], as
-// many as there is room for.
-constexpr std::size_t column = LeafPrefixes::column;
-static_assert(column == 4);
-inline void load_columns(const double* pairs, Widest (&x)[column], Widest (&y)[column]) {
+  const BasicDD<Widest> of_exact =
+      fast_two_sum(main.hi, main.lo + ((left.lo - right.lo) + (rx.lo * ey.hi - ry.lo * ex.hi)));
+  const Widest zero = splat_widest(0);
+  const unsigned exact = mask_bits(both(equal(ex.lo, zero), equal(ey.lo, zero)));
+  if (exact == (1U << widest) - 1) return of_exact;
+  const BasicDD<Widest> of_any = cross(rx, ry, ex, ey);
 #ifdef __AVX512F__
-  const auto rows_of = [&](auto half, Eight(&to)[column]) {
-    Eight two[4];  // two columns each: of one and of the next in turns
-    for (std::size_t k = 0; k < 4; ++k) two[k] = half(load_widest(pairs + 16 * k), load_widest(pairs + 16 * k + 8));
-    const Eight a = __builtin_shufflevector(two[0], two[1], 0, 1, 4, 5, 8, 9, 12, 13),
-                b = __builtin_shufflevector(two[0], two[1], 2, 3, 6, 7, 10, 11, 14, 15),
-                c = __builtin_shufflevector(two[2], two[3], 0, 1, 4, 5, 8, 9, 12, 13),
-                d = __builtin_shufflevector(two[2], two[3], 2, 3, 6, 7, 10, 11, 14, 15);
-    to[0] = __builtin_shufflevector(a, c, 0, 1, 4, 5, 8, 9, 12, 13);
-    to[1] = __builtin_shufflevector(b, d, 0, 1, 4, 5, 8, 9, 12, 13);
-    to[2] = __builtin_shufflevector(a, c, 2, 3, 6, 7, 10, 11, 14, 15);
-    to[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7, 10, 11, 14, 15);
-  };
-  rows_of([](Eight p, Eight q) { return __builtin_shufflevector(p, q, 0, 8, 2, 10, 4, 12, 6, 14); }, x);
-  rows_of([](Eight p, Eight q) { return __builtin_shufflevector(p, q, 1, 9, 3, 11, 5, 13, 7, 15); }, y);
+  const auto fours = static_cast<EightMask>(((exact & 15U) == 15U ? 15U : 0U) | (exact >= 240U ? 240U : 0U));
+  return {choose(fours, of_exact.hi, of_any.hi), choose(fours, of_exact.lo, of_any.lo)};
 #else
-  for (std::size_t i = 0; i < column; i += 2) {
-    Lanes rows[lanes];
-    for (std::size_t l = 0; l < lanes; ++l) rows[l] = load(pairs + 2 * (column * l + i));
-    transpose(rows);
-    x[i] = rows[0];
-    y[i] = rows[1];
-    x[i + 1] = rows[2];
-    y[i + 1] = rows[3];
-  }
+  return of_any;
 #endif
 }
+
+constexpr std::size_t column = LeafPrefixes::column;
+static_assert(column == 4);
 
 // A running sum of each column, as RunningSum.
 template <typename Numbers>
@@ -75,7 +56,7 @@ LOBER_INLINE void for_each_step(const Point* points, Point origin, const Take& t
   for (std::size_t k = 0; k < parts_of_eight; ++k) {
     const Point* const from = points + k * widest * column;
     Widest px[column], py[column];
-    load_columns(&from[0].x, px, py);
+    load_fours(&from[0].x, px, py);
     const Point next = from[widest * column];
     const Widest end_x = followed_by(px[0], next.x), end_y = followed_by(py[0], next.y);
     for (std::size_t i = 0; i < column; ++i) {
@@ -101,7 +82,7 @@ inline DD prefixes_of(const Point* points, Point origin, DD start, const DD* ext
         store(result.before_low + at, sums.low);
         sums.add(term);
         if (extra == nullptr) return;
-        if (i == 0) load_columns(&extra[k * widest * column].hi, extra_high, extra_low);
+        if (i == 0) load_fours(&extra[k * widest * column].hi, extra_high, extra_low);
         sums.add({extra_high[i], extra_low[i]});
       },
       [&](std::size_t k) {

@@ -12,6 +12,7 @@
 #include "kernels/kernel_table.hpp"
 #include "kernels/simd.hpp"
 #include "tests/kernels/random_doubles.hpp"
+#include "tests/kernels/vector_copies.hpp"
 
 namespace lober::detail {}
 
@@ -109,16 +110,18 @@ TEST_P(CrossingParametersOf, KeepTheirBounds) {
   }
 }
 
-TEST_P(CrossingParametersOf, AreTheSameBitsFromBothCopies) {
-  if (!has_avx2()) GTEST_SKIP() << "this processor has no AVX2 and FMA: only one copy can run";
+TEST_P(CrossingParametersOf, AreTheSameBitsFromAllCopies) {
+  if (vector_copies().empty()) GTEST_SKIP() << "this processor has no AVX2 and FMA: only one copy can run";
   const auto crossings = make_crossings(GetParam(), 2000, 1);
-  for (std::size_t k = 0; k + lanes <= crossings.size(); k += lanes) {
-    std::array<CrossingParameters, lanes> plain, wide;
-    const unsigned shallow = baseline_kernels.four_parameters(&crossings[k], 4, plain.data());
-    ASSERT_EQ(shallow, avx2_kernels.four_parameters(&crossings[k], 4, wide.data()));
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      if ((shallow >> lane & 1U) != 0) continue;  // computed exactly instead
-      ASSERT_EQ(std::memcmp(&plain[lane], &wide[lane], sizeof plain[lane]), 0) << "crossing " << k + lane;
+  for (std::size_t k = 0; k + eight <= crossings.size(); k += eight) {
+    std::array<CrossingParameters, eight> plain, wide;
+    const unsigned shallow = baseline_kernels.eight_parameters(&crossings[k], 4, plain.data());
+    for (const KernelTable* copy : vector_copies()) {
+      ASSERT_EQ(shallow, copy->eight_parameters(&crossings[k], 4, wide.data()));
+      for (std::size_t i = 0; i < eight; ++i) {
+        if ((shallow >> i & 1U) != 0) continue;  // computed exactly instead
+        ASSERT_EQ(std::memcmp(&plain[i], &wide[i], sizeof plain[i]), 0) << "crossing " << k + i;
+      }
     }
   }
 }

@@ -27,7 +27,7 @@ for object in "${objects[@]}"; do look_at "$object" "$(basename "$object") of th
 for file in "${sources[@]}"; do
   name=$(basename "$file" .cpp)
   flags=(-mavx2 -mfma)
-  [[ $name == *avx512 ]] && flags+=(-mavx512f -mavx512vl -mavx512dq)
+  [[ $name == *avx512 ]] && flags+=(-mavx512f -mavx512vl -mavx512dq -mbmi2)
   "$compiler" -std=c++20 -O0 -g -fPIC -ffp-contract=off -Wno-psabi "-I$source" "-I$source/engine" "${flags[@]}" -c "$file" -o "$scratch/$name.o"
   look_at "$scratch/$name.o" "$name.cpp without optimisation"
 done

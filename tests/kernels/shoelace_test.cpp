@@ -11,6 +11,7 @@
 #include "kernels/cpu.hpp"
 #include "kernels/simd.hpp"
 #include "tests/kernels/random_doubles.hpp"
+#include "tests/kernels/vector_copies.hpp"
 
 namespace lober::test {
 namespace {
@@ -64,7 +65,7 @@ TEST(Shoelace, KeepsItsBound) {
       const mpq_class term_error = value_of(prefixes.term(i)) - exact;
       ASSERT_LE(term_error * term_error, bound * squared(a) * squared(edge)) << "of a leaf, try " << k;
       sum_error(prefixes.before(i), sum);
-      // Sums are joined by quarters: parts of up to leaf_size terms count.
+      // Sums are joined by columns: parts of up to leaf_size terms count.
       const mpq_class half = mpq_class(random.unit());
       const DD t{half.get_d(), 0};
       sum_error(sum_at(prefixes, i, t), sum + value_of(t) * exact);
@@ -81,8 +82,8 @@ TEST(Shoelace, KeepsItsBound) {
   }
 }
 
-TEST(Shoelace, BothCopiesGiveTheSameBits) {
-  if (!has_avx2()) GTEST_SKIP() << "this processor has no AVX2 and FMA: only one copy can run";
+TEST(Shoelace, AllCopiesGiveTheSameBits) {
+  if (vector_copies().empty()) GTEST_SKIP() << "this processor has no AVX2 and FMA: only one copy can run";
   Random random(seed());
   for (int k = 0; k < 3000; ++k) {
     const Leaf leaf = random_leaf(random);
@@ -90,14 +91,16 @@ TEST(Shoelace, BothCopiesGiveTheSameBits) {
     for (DD& value : extra) value = {random.unit(), 0};
     LeafPrefixes plain, wide;
     const DD plain_end = baseline_kernels.shoelace_prefixes(leaf.data(), leaf[3], {1, 0}, extra.data(), plain);
-    const DD wide_end = avx2_kernels.shoelace_prefixes(leaf.data(), leaf[3], {1, 0}, extra.data(), wide);
-    ASSERT_EQ(std::memcmp(&plain, &wide, sizeof plain), 0) << "try " << k;
-    ASSERT_EQ(plain_end.hi, wide_end.hi);
-    ASSERT_EQ(plain_end.lo, wide_end.lo);
     const DD plain_sum = baseline_kernels.shoelace_of_leaf(leaf.data(), leaf[3]);
-    const DD wide_sum = avx2_kernels.shoelace_of_leaf(leaf.data(), leaf[3]);
-    ASSERT_EQ(plain_sum.hi, wide_sum.hi);
-    ASSERT_EQ(plain_sum.lo, wide_sum.lo);
+    for (const KernelTable* copy : vector_copies()) {
+      const DD wide_end = copy->shoelace_prefixes(leaf.data(), leaf[3], {1, 0}, extra.data(), wide);
+      ASSERT_EQ(std::memcmp(&plain, &wide, sizeof plain), 0) << "try " << k;
+      ASSERT_EQ(plain_end.hi, wide_end.hi);
+      ASSERT_EQ(plain_end.lo, wide_end.lo);
+      const DD wide_sum = copy->shoelace_of_leaf(leaf.data(), leaf[3]);
+      ASSERT_EQ(plain_sum.hi, wide_sum.hi);
+      ASSERT_EQ(plain_sum.lo, wide_sum.lo);
+    }
   }
 }
 
@@ -115,8 +118,8 @@ TEST(SumsAt, GivesTheBitsOfOneAtATime) {
       t[i] = random.chance(0.1) ? DD{} : two_product(random.unit(), random.unit());
     }
     baseline_kernels.sums_at(prefixes, segments.data(), t.data(), count, plain.data());
-    if (has_avx2()) {
-      avx2_kernels.sums_at(prefixes, segments.data(), t.data(), count, wide.data());
+    if (!vector_copies().empty()) {
+      vector_copies().back()->sums_at(prefixes, segments.data(), t.data(), count, wide.data());
     } else {
       wide = plain;
     }
