@@ -19,8 +19,16 @@ inline DD leaf_sum(const Point* p) {
   return prefixes_of(p, p[0], {}, nullptr, prefixes);
 }
 
+// Long curves are asked for this number of bytes ahead: processors fetch ahead by themselves, but not enough.
+constexpr std::size_t bytes_ahead = 8192, line = 64, long_run = 128;
+
+LOBER_INLINE void fetch_ahead(const double* from) {
+  __builtin_prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(from) + bytes_ahead));
+}
+
 // The points one before those of `here`; `last` is the vector before, `behind_last` what follows each of its points.
-LOBER_INLINE Widest points_before([[maybe_unused]] Widest here, [[maybe_unused]] Widest last, [[maybe_unused]] Widest behind_last) {
+LOBER_INLINE Widest points_before([[maybe_unused]] Widest here, [[maybe_unused]] Widest last,
+                                  [[maybe_unused]] Widest behind_last) {
 #ifdef __AVX512F__
   return __builtin_shufflevector(last, here, 6, 7, 8, 9, 10, 11, 12, 13);
 #else
@@ -31,6 +39,7 @@ LOBER_INLINE Widest points_before([[maybe_unused]] Widest here, [[maybe_unused]]
 // Box and flags of one leaf and, in four lanes, its shoelace sum taken as sum r_i.x (r_{i+1}.y - r_{i-1}.y) over all
 // but the last point, r relative to the first: one exact product and one exact addition a point, if differences are
 // exact. Everything in one loop over eight points at a time.
+template <bool is_long>
 inline void summarise_leaf(const Point* p, Box& box, std::uint8_t& flags, Lanes& sum_high, Lanes& sum_low) {
   const double* coordinates = &p[0].x;
   const Widest origin = splat_widest(p[0].x), nothing = splat_widest(0);
@@ -40,6 +49,10 @@ inline void summarise_leaf(const Point* p, Box& box, std::uint8_t& flags, Lanes&
   auto rises = equal(nothing, nothing), falls = rises;
 #pragma GCC unroll 1
   for (std::size_t i = 0; i < leaf_size; i += eight) {
+    if constexpr (is_long) {
+      fetch_ahead(coordinates + 2 * i);
+      fetch_ahead(coordinates + 2 * i + line / sizeof(double));
+    }
     for (std::size_t k = 0; k < parts_of_eight; ++k) {
       const double* const pair = coordinates + 2 * (i + k * widest);
       const Widest here0 = load_widest(pair), here1 = load_widest(pair + widest);
@@ -74,12 +87,13 @@ inline void summarise_leaf(const Point* p, Box& box, std::uint8_t& flags, Lanes&
 }
 
 // Up to four leaves, so that the ends of their sums are joined side by side.
+template <bool is_long>
 inline void summarise_four(const Point* p, std::size_t count, Box* boxes, DD* sums, std::uint8_t* flags) {
   Lanes high[lanes] = {}, low[lanes] = {};
   Lanes width = splat(0), fall = splat(0);  // width of the chord, the last term r_n.x (r_0.y - r_{n-1}.y) of the sum
   for (std::size_t k = 0; k < count; ++k) {
     const Point* leaf = p + k * leaf_size;
-    summarise_leaf(leaf, boxes[k], flags[k], high[k], low[k]);
+    summarise_leaf<is_long>(leaf, boxes[k], flags[k], high[k], low[k]);
     width[k] = leaf[leaf_size].x - leaf[0].x;
     fall[k] = leaf[0].y - leaf[leaf_size - 1].y;
   }
@@ -97,12 +111,21 @@ inline void summarise_four(const Point* p, std::size_t count, Box* boxes, DD* su
   }
 }
 
-inline void summarise(const Point* points, std::size_t first, std::size_t count, Box* boxes, DD* sums,
-                      std::uint8_t* flags) {
+template <bool is_long>
+inline void summarise_all(const Point* points, std::size_t first, std::size_t count, Box* boxes, DD* sums,
+                          std::uint8_t* flags) {
   for (std::size_t leaf = first; leaf < first + count; leaf += lanes) {
     const std::size_t together = first + count - leaf < lanes ? first + count - leaf : lanes;
-    summarise_four(points + leaf * leaf_size, together, boxes + leaf, sums + leaf, flags + leaf);
+    summarise_four<is_long>(points + leaf * leaf_size, together, boxes + leaf, sums + leaf, flags + leaf);
   }
+}
+
+inline void summarise(const Point* points, std::size_t first, std::size_t count, Box* boxes, DD* sums,
+                      std::uint8_t* flags) {
+  if (count < long_run)
+    summarise_all<false>(points, first, count, boxes, sums, flags);
+  else
+    summarise_all<true>(points, first, count, boxes, sums, flags);
 }
 
 }  // namespace
