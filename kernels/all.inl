@@ -6,6 +6,7 @@
 #include "kernels/bent_slab.inl"
 #include "kernels/box_pyramid.inl"
 #include "kernels/chebyshev.inl"
+#include "kernels/common_run.inl"
 #include "kernels/crossing_parameters.inl"
 #include "kernels/fold_chart.inl"
 #include "kernels/frame_filter.inl"
@@ -36,6 +37,7 @@ const KernelTable LOBER_KERNELS{
     .follow_ray = follow_ray_down,
     .crossings_of_height = crossings_of_leaf,
     .chebyshev_points = evaluate_chebyshev,
+    .common_vertices = count_common,
     .eight_parameters = eight_parameters,
     .chart_leaf = chart_of_leaf,
     .frames_of_leaves = put_frames_of_leaves,

@@ -26,6 +26,10 @@ HeightCrossings crossings_of_height(const Point* points, Point point) {
   return kernels().crossings_of_height(points, point);
 }
 
+std::size_t common_vertices(const Point* a, const Point* b, int direction, std::size_t count) {
+  return kernels().common_vertices(a, b, direction, count);
+}
+
 void chart_leaf(const Point* points, const Box& box, const Box& window, const FoldChart& chart, ChartedLeaf& charted) {
   kernels().chart_leaf(points, box, window, chart, charted);
 }

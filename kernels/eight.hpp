@@ -45,6 +45,10 @@ LOBER_INLINE Lanes odds_crosswise(Lanes a, Lanes b) {
   return __builtin_shufflevector(a, b, 1, 5, 3, 7);
 }
 
+/// The pairs in the opposite order.
+LOBER_INLINE Lanes pairs_reversed(Lanes a) {
+  return __builtin_shufflevector(a, a, 2, 3, 0, 1);
+}
 /// a without its first element, and `last`.
 LOBER_INLINE Lanes followed_by(Lanes a, double last) {
   return __builtin_shufflevector(a, splat(last), 1, 2, 3, 4);
@@ -110,6 +114,9 @@ LOBER_INLINE Eight evens_crosswise(Eight a, Eight b) {
 }
 LOBER_INLINE Eight odds_crosswise(Eight a, Eight b) {
   return __builtin_shufflevector(a, b, 1, 5, 3, 7, 9, 13, 11, 15);
+}
+LOBER_INLINE Eight pairs_reversed(Eight a) {
+  return __builtin_shufflevector(a, a, 6, 7, 4, 5, 2, 3, 0, 1);
 }
 LOBER_INLINE Eight followed_by(Eight a, double last) {
   return __builtin_shufflevector(a, splat_eight(last), 1, 2, 3, 4, 5, 6, 7, 8);

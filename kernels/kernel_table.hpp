@@ -7,6 +7,7 @@
 
 #include "kernels/bent_slab.hpp"
 #include "kernels/box_pyramid.hpp"
+#include "kernels/common_run.hpp"
 #include "kernels/cpu.hpp"
 #include "kernels/crossing_parameters.hpp"
 #include "kernels/fold_chart.hpp"
@@ -39,6 +40,7 @@ struct KernelTable {
   HeightCrossings (*crossings_of_height)(const Point* points, Point point);
   void (*chebyshev_points)(const Point* coefficients, std::size_t degrees, double centre, double half_width,
                            const double* parameters, std::size_t size, Point* points);
+  std::size_t (*common_vertices)(const Point* a, const Point* b, int direction, std::size_t count);
   unsigned (*eight_parameters)(const SegmentCrossing* crossings, double scale, CrossingParameters* parameters);
   void (*chart_leaf)(const Point* points, const Box& box, const Box& window, const FoldChart& chart,
                      ChartedLeaf& charted);

@@ -1,11 +1,14 @@
 // Runs of vertices that two curves have in common, as a search finds them in a block of C1 (private to geometry/).
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
+#include "kernels/common_run.hpp"
 #include "lober/curve/curve.hpp"
 
 namespace lober::detail {
@@ -19,6 +22,10 @@ struct CommonRun {
 
 /// How far a run may go along a step to the next vertices.
 enum class RunStep : std::uint8_t { not_there, there_at_last, on };
+/// The step of a run that goes as far as the vertices are the same: of such a run many are compared at a time.
+struct EveryStep {
+  RunStep operator()(std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t) const { return RunStep::on; }
+};
 
 class CommonRuns {
  public:
@@ -56,6 +63,18 @@ class CommonRuns {
     return vertex > 0 ? vertex - 1 : (curve.closed ? last : no_vertex);
   }
 
+  // Vertices that follow in the run, without those that a curve closes with, and up to where a known run begins.
+  [[nodiscard]] std::size_t many_after(const CurveView& c1, const CurveView& c2, std::uint32_t last,
+                                       std::uint32_t other, std::uint32_t end, int direction) const {
+    constexpr std::size_t few = 8;
+    std::size_t count = std::min(end - last, static_cast<std::uint32_t>(c1.points.size() - 1) - last);
+    count = std::min<std::size_t>(count, direction > 0 ? c2.points.size() - 1 - other : other);
+    if (!runs_.empty() && runs_.back().direction == direction && runs_.back().first > last) {
+      count = std::min<std::size_t>(count, runs_.back().first - last);
+    }
+    return count < few ? 0 : common_vertices(&c1.points[last], &c2.points[other], direction, count);
+  }
+
   template <typename Step>
   std::uint32_t last_of(const CurveView& c1, const CurveView& c2, std::uint32_t i, std::uint32_t j, std::uint32_t end,
                         int direction, const Step& step) const {
@@ -63,6 +82,12 @@ class CommonRuns {
     while (last < end) {
       // A run that is known already (pairs may come in descending order) is taken over whole.
       if (!runs_.empty() && runs_.back().first == last && runs_.back().direction == direction) return runs_.back().last;
+      if constexpr (std::is_same_v<Step, EveryStep>) {
+        const auto many = static_cast<std::uint32_t>(many_after(c1, c2, last, other, end, direction));
+        last += many;
+        other += direction > 0 ? many : -many;
+        if (many > 0) continue;
+      }
       const std::uint32_t next = last + 1 == c1.points.size() ? 0 : last + 1;
       const std::uint32_t next_other = next_of(c2, other, direction);
       if (next_other == no_vertex) break;

@@ -108,8 +108,7 @@ class ContactFinder final : public PairConsumer {
     if (found.rho != 0) block.hits.push_back(crossing(i, j, found.rho));
     if (found.coincide) {
       block.hits.push_back(at_vertex(i, j, true, true));
-      const auto on = [](auto...) { return RunStep::on; };
-      if (const auto run = block.runs.follow(c1_, c2_, i, j, block_end, on)) {
+      if (const auto run = block.runs.follow(c1_, c2_, i, j, block_end, EveryStep{})) {
         block.hits.back().run = static_cast<std::int8_t>(run->direction);
       }
     }
