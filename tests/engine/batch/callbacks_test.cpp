@@ -272,7 +272,7 @@ TEST_F(CallbacksOfABatch, WhatProgressThrowsComesOutAndWhatIsDoneStays) {
   EXPECT_EQ(survey(Store::open(path("s"))).counts.done, 66U * 3);
 }
 
-// The store goes while the first jobs run: the run ends soon, not after all of them. They are so many that no processor
+// The store goes while the first jobs run: the run ends soon, not after all of them. There are enough that no processor
 // is through with them before progress is asked for.
 TEST_F(CallbacksOfABatch, AStoreThatVanishesEndsTheRun) {
   for (int k = 12; k < 60; ++k) write_npy(path("c." + std::to_string(k)), wavy(20'000, k));
