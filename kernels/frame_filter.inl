@@ -2,6 +2,7 @@
 #pragma once
 
 #include "kernels/eight.hpp"
+#include "kernels/fetch.hpp"
 #include "kernels/frame_filter.hpp"
 #include "kernels/node_lanes.inl"
 
@@ -71,6 +72,8 @@ inline void put_frames_of_leaves(const Point* const* points, const Box* const* b
     Widest lowest = splat_widest(along.x[k] * points[k][leaf_size].y - along.y[k] * points[k][leaf_size].x),
            highest = lowest;
     for (std::size_t i = 0; i < leaf_size; i += widest) {
+      fetch(coordinates + 2 * i, bytes_ahead);
+      if constexpr (widest == eight) fetch(coordinates + 2 * i, bytes_ahead + bytes_a_line);
       const Widest first = load_widest(coordinates + 2 * i), second = load_widest(coordinates + 2 * i + widest);
       const Widest beside = ax * odds_crosswise(first, second) - ay * evens_crosswise(first, second);
       lowest = min(lowest, beside);

@@ -1,6 +1,7 @@
 // Body of summarise_leaves (kernels/all.inl).
 #pragma once
 
+#include "kernels/fetch.hpp"
 #include "kernels/leaf.hpp"
 #include "kernels/shoelace.hpp"
 #include "kernels/shoelace.inl"
@@ -19,12 +20,8 @@ inline DD leaf_sum(const Point* p) {
   return prefixes_of(p, p[0], {}, nullptr, prefixes);
 }
 
-// Long curves are asked for this number of bytes ahead: processors fetch ahead by themselves, but not enough.
-constexpr std::size_t bytes_ahead = 8192, line = 64, long_run = 128;
-
-LOBER_INLINE void fetch_ahead(const double* from) {
-  __builtin_prefetch(reinterpret_cast<const void*>(reinterpret_cast<std::uintptr_t>(from) + bytes_ahead));
-}
+// From this number of leaves on they are asked for ahead.
+constexpr std::size_t long_run = 128;
 
 // The points one before those of `here`; `last` is the vector before, `behind_last` what follows each of its points.
 LOBER_INLINE Widest points_before([[maybe_unused]] Widest here, [[maybe_unused]] Widest last,
@@ -50,8 +47,8 @@ inline void summarise_leaf(const Point* p, Box& box, std::uint8_t& flags, Lanes&
 #pragma GCC unroll 1
   for (std::size_t i = 0; i < leaf_size; i += eight) {
     if constexpr (is_long) {
-      fetch_ahead(coordinates + 2 * i);
-      fetch_ahead(coordinates + 2 * i + line / sizeof(double));
+      fetch(coordinates + 2 * i, bytes_ahead);
+      fetch(coordinates + 2 * i, bytes_ahead + bytes_a_line);
     }
     for (std::size_t k = 0; k < parts_of_eight; ++k) {
       const double* const pair = coordinates + 2 * (i + k * widest);
