@@ -35,9 +35,11 @@ inline void distribute_nodes(const Box* four, std::size_t boxes, BoxPyramid pyra
 
 // Bit i is set where box i of four in a row is at most `bound` in all its lanes.
 inline unsigned four_within(const Box* four, Widest bound) {
+  static_assert(sizeof(Box) == lanes * sizeof(double));
+  constexpr std::size_t boxes = widest / lanes;
   unsigned bits = 0;  // those of all lanes
-  for (std::size_t k = 0; k < 4 * lanes; k += widest) {
-    bits |= mask_bits(at_most(load_widest(four[0].lane + k), bound)) << k;
+  for (std::size_t k = 0; k < 4; k += boxes) {
+    bits |= mask_bits(at_most(load_widest(&four[k].lane[0]), bound)) << lanes * k;
   }
   bits &= bits >> 1U;
   bits &= bits >> 2U & 0x1111U;
