@@ -31,10 +31,9 @@ inline void place_along(const Point* points, Point middle, Point along, PlacesAl
     const Widest u = ax * x + ay * y;
     store(places.u + i, u);
     store(places.v + i, ax * y - ay * x);
-    size = max(size, max(x, -x) + max(y, -y));
+    size = max(size, absolute(x) + absolute(y));
     if (i == 0) before = splat_widest(u[0]);
-    const Widest step = u - preceded_by(u, before);
-    longest = max(longest, max(step, -step));
+    longest = max(longest, absolute(u - preceded_by(u, before)));
     before = u;
   };
   for (std::size_t i = 0; i < leaf_size; i += widest) {

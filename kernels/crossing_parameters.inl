@@ -26,12 +26,13 @@ inline unsigned parameters_of(const SegmentCrossing* crossings, double scale, Cr
   const BasicDD<Widest> t1 = cross(wx, wy, vx, vy) / below;
   const BasicDD<Widest> t2 = cross(wx, wy, ux, uy) / below;
 
-  const auto size = [](Widest a) { return max(a, -a); };
-  const Widest u = max(size(ux.hi), size(uy.hi)), v = max(size(vx.hi), size(vy.hi)), w = max(size(wx.hi), size(wy.hi));
+  const Widest u = max(absolute(ux.hi), absolute(uy.hi)), v = max(absolute(vx.hi), absolute(vy.hi)),
+               w = max(absolute(wx.hi), absolute(wy.hi));
   const Widest longest = max(u, v);
   const Widest products = 2 * (max(u, w) * v + w * u);
-  const Widest determinant = size(below.hi);
-  const Widest rounded = size(ux.lo) + size(uy.lo) + size(vx.lo) + size(vy.lo) + size(wx.lo) + size(wy.lo);
+  const Widest determinant = absolute(below.hi);
+  const Widest rounded =
+      absolute(ux.lo) + absolute(uy.lo) + absolute(vx.lo) + absolute(vy.lo) + absolute(wx.lo) + absolute(wy.lo);
   const auto at_most_times = [&](Widest a, double factor) { return at_most(a, determinant * splat_widest(factor)); };
   const auto deep = both(at_most_times(products * longest, 0x1p10 * scale), at_most_times(products, 0x1p40));
   const auto exact = both(equal(rounded, splat_widest(0)), at_most_times(products, 0x1p46));

@@ -16,8 +16,7 @@ struct Signs {
 inline Signs orientations(Widest ax, Widest ay, Widest bx, Widest by, Widest cx, Widest cy) {
   const Widest left = (ax - cx) * (by - cy), right = (ay - cy) * (bx - cx);
   const Widest determinant = left - right;
-  const Widest bound =
-      splat_widest(orient2d_error) * (max(left, -left) + max(right, -right)) + splat_widest(orient2d_floor);
+  const Widest bound = splat_widest(orient2d_error) * (absolute(left) + absolute(right)) + splat_widest(orient2d_floor);
   return {mask_bits(less(bound, determinant)), mask_bits(less(bound, -determinant))};
 }
 

@@ -59,7 +59,7 @@ inline void distances_of(const Point* points, Point normal, SignedDistances& dis
     const Widest first = load_widest(pair) * weight, second = load_widest(pair + widest) * weight;
     const Widest by_x = evens(first, second), by_y = odds(first, second);
     distances.of[k] = by_x + by_y;
-    size = max(size, max(by_x, -by_x) + max(by_y, -by_y));
+    size = max(size, absolute(by_x) + absolute(by_y));
   }
   distances.last = last_by_x + last_by_y;
   // Three roundings; products may underflow.
@@ -102,17 +102,17 @@ struct Sides {
 inline void splat_sides(const Box& box, Sides& sides) {
   sides = {splat_widest(box.min_x()), splat_widest(box.max_x()), splat_widest(box.min_y()), splat_widest(box.max_y())};
 }
+inline auto meeting(const double* min_x, const double* max_x, const double* min_y, const double* max_y,
+                    const Sides& sides) {
+  return both(both(at_most(load_widest(min_x), sides.right), at_most(sides.left, load_widest(max_x))),
+              both(at_most(load_widest(min_y), sides.top), at_most(sides.bottom, load_widest(max_y))));
+}
 // The segments and the groups from the given one on.
 inline auto meeting_segments_from(const SegmentBoxes& boxes, std::size_t i, const Sides& sides) {
-  return both(
-      both(at_most(load_widest(boxes.min_x + i), sides.right), at_most(sides.left, load_widest(boxes.max_x + i))),
-      both(at_most(load_widest(boxes.min_y + i), sides.top), at_most(sides.bottom, load_widest(boxes.max_y + i))));
+  return meeting(boxes.min_x + i, boxes.max_x + i, boxes.min_y + i, boxes.max_y + i, sides);
 }
 inline auto meeting_groups_from(const SegmentBoxes& boxes, std::size_t g, const Sides& sides) {
-  return both(both(at_most(load_widest(boxes.group_min_x + g), sides.right),
-                   at_most(sides.left, load_widest(boxes.group_max_x + g))),
-              both(at_most(load_widest(boxes.group_min_y + g), sides.top),
-                   at_most(sides.bottom, load_widest(boxes.group_max_y + g))));
+  return meeting(boxes.group_min_x + g, boxes.group_max_x + g, boxes.group_min_y + g, boxes.group_max_y + g, sides);
 }
 
 // The box of the groups that meet a rectangle; empty where there are none.
