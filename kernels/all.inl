@@ -67,7 +67,8 @@ const KernelTable LOBER_KERNELS{
     .end_arcs = end_all_arcs,
     .smooth_chord_areas = fit_all,
     .flag_segments = flag_all_segments,
-    .lengths_in_box = all_lengths_in_box,
+    .surely_fine = all_surely_fine,
+    .length_in_box = sum_in_box,
     .place_graded = place_all_graded,
 };
 

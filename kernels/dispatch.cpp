@@ -156,8 +156,12 @@ std::int64_t flag_segments(const SegmentRow& row, const SegmentBounds& bounds, s
   return kernels().flag_segments(row, bounds, flags);
 }
 
-bool lengths_in_box(const Point* points, std::size_t count, const Box& box, double* lengths) {
-  return kernels().lengths_in_box(points, count, box, lengths);
+bool surely_fine(const PointRow& row, const SegmentBounds& bounds, PartsAsked asked) {
+  return kernels().surely_fine(row, bounds, asked);
+}
+
+LengthInBox length_in_box(const Point* points, std::size_t count, const Box& box) {
+  return kernels().length_in_box(points, count, box);
 }
 
 void place_graded(const GradedRow& row, double* places) {

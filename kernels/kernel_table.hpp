@@ -80,7 +80,8 @@ struct KernelTable {
   StraightSegments (*smooth_chord_areas)(const Point* points, std::size_t count, double* areas, double* errors,
                                          std::uint8_t* smooth);
   std::int64_t (*flag_segments)(const SegmentRow& row, const SegmentBounds& bounds, std::int64_t* flags);
-  bool (*lengths_in_box)(const Point* points, std::size_t count, const Box& box, double* lengths);
+  bool (*surely_fine)(const PointRow& row, const SegmentBounds& bounds, PartsAsked asked);
+  LengthInBox (*length_in_box)(const Point* points, std::size_t count, const Box& box);
   void (*place_graded)(const GradedRow& row, double* places);
 };
 

@@ -6,6 +6,7 @@
 
 #include "kernels/box.hpp"
 #include "kernels/point.hpp"
+#include "kernels/turning.hpp"
 
 namespace lober::detail {
 
@@ -43,7 +44,24 @@ struct SegmentRow {
 /// Sets flags[k] for each segment, and returns the bits that any of them has.
 std::int64_t flag_segments(const SegmentRow& row, const SegmentBounds& bounds, std::int64_t* flags);
 
-/// Lengths of `count` segments, at most max_flagged, and whether both ends of each are in the box.
-bool lengths_in_box(const Point* points, std::size_t count, const Box& box, double* lengths);
+/// A row as above, before anything is known about it but its points: points[-1] and points[count + 1] are there where
+/// has_before and has_after say so.
+struct PointRow {
+  const Point* points;
+  const double* parameters;
+  bool has_before, has_after;
+  std::size_t count;
+};
+/// True only where flag_segments, given what turns_along and parts_needed make of the row, would call no segment
+/// outside, uneven or coarse; false where that is not sure. Without a root or a division, so that it costs a third of
+/// them: with u and v the segments at a vertex, curvature is at most 2 |u x v| / (u.v |u + v|) where u.v > 0.
+bool surely_fine(const PointRow& row, const SegmentBounds& bounds, PartsAsked asked);
+
+struct LengthInBox {
+  double sum;
+  bool inside;
+};
+/// The sum of the lengths of `count` segments, at most max_flagged, and whether both ends of each are in the box.
+LengthInBox length_in_box(const Point* points, std::size_t count, const Box& box);
 
 }  // namespace lober::detail

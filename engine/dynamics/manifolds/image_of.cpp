@@ -70,7 +70,7 @@ void trace_in_turn(const ImageOptions& given, bool closed, Samples guide, std::v
     CurveImage result;
     result.images = images;
     if (trace.out_of_points) result.stop = GrowthStop::points;
-    append_finite(trace, 0, result.points, result.parameters, result.diagnostics);
+    append_finite(trace, 0, 1, result.points, result.parameters, result.diagnostics);
     result.closed = closed;
     if (closed) close(result, is_finite(trace.samples.points.front()) && is_finite(trace.samples.points.back()));
     if (!finished(done, std::move(result)) || trace.out_of_points) return;

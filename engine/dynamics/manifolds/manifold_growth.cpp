@@ -2,7 +2,6 @@
 #include "engine/dynamics/manifolds/manifold_growth.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -287,23 +286,21 @@ bool ManifoldGrowth::out_of_work() const {
 void ManifoldGrowth::append(const Trace& trace, int generation) {
   const CancellationScope shield(CancellationScope::Shield{});  // half a generation could not be kept
   const std::size_t begin = result_.points.size();
-  append_finite(trace, generation > 0 ? 1 : 0, result_.points, result_.parameters, result_.diagnostics);
-  if (side_ < 0) {
-    for_each_block(result_.parameters.size() - begin, pass_grain, [&](std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k) result_.parameters[begin + k] *= side_;
-    });
-  }
+  append_finite(trace, generation > 0 ? 1 : 0, side_, result_.points, result_.parameters, result_.diagnostics);
   add_length(begin);
 }
 
-// The lengths of `count` segments behind point k, as far as they count.
-void ManifoldGrowth::lengths_behind(std::size_t k, std::size_t count, double* lengths) const {
-  if (lengths_in_box(&result_.points[k], count, trace_options_.box, lengths)) return;
-  for (std::size_t j = 0; j < count; ++j) {
-    const Point a = result_.points[k + j], b = result_.points[k + j + 1];
+// The length of `count` segments behind point k, as far as they count.
+double ManifoldGrowth::length_behind(std::size_t k, std::size_t count) const {
+  const auto [sum, inside] = length_in_box(&result_.points[k], count, trace_options_.box);
+  if (inside) return sum;
+  double within = 0;
+  for (std::size_t j = k; j < k + count; ++j) {
+    const Point a = result_.points[j], b = result_.points[j + 1];
     const double part = part_inside(a, b, trace_options_.box);
-    if (part < 1) lengths[j] = part > 0 ? length({part * (b.x - a.x), part * (b.y - a.y)}) : 0;
+    if (part > 0) within += part < 1 ? length({part * (b.x - a.x), part * (b.y - a.y)}) : distance(a, b);
   }
+  return within;
 }
 
 // Adds the length of the segments up to the points from number `begin` on, and ends the curve at the vertex where it
@@ -314,11 +311,8 @@ void ManifoldGrowth::add_length(std::size_t begin) {
   std::vector<double> sums((count + pass_grain - 1) / pass_grain, 0);
   for_each_block(count, pass_grain, [&](std::size_t first, std::size_t last) {
     double sum = 0;
-    std::array<double, max_flagged> lengths;
     for (std::size_t k = first; k < last; k += max_flagged) {
-      const std::size_t few = std::min(max_flagged, last - k);
-      lengths_behind(first_segment + k, few, lengths.data());
-      for (std::size_t j = 0; j < few; ++j) sum += lengths[j];
+      sum += length_behind(first_segment + k, std::min(max_flagged, last - k));
     }
     sums[first / pass_grain] = sum;
   });
@@ -329,9 +323,7 @@ void ManifoldGrowth::add_length(std::size_t begin) {
     }
     const std::size_t last = first_segment + std::min(count, (block + 1) * pass_grain);
     for (std::size_t k = first_segment + block * pass_grain; k < last; ++k) {
-      double length = 0;
-      lengths_behind(k, 1, &length);
-      result_.length += length;
+      result_.length += length_behind(k, 1);
       if (result_.length < options_.length) continue;
       result_.points.resize(k + 2);
       result_.parameters.resize(k + 2);

@@ -89,7 +89,7 @@ class ManifoldGrowth {
   [[nodiscard]] std::optional<Trace> traced_within_limits(const Guide& guide, int generation, double end);
   [[nodiscard]] std::vector<Samples> appended_together(std::span<const Guide> guides, int generation, double end);
   void append(const Trace& trace, int generation);
-  void lengths_behind(std::size_t k, std::size_t count, double* lengths) const;
+  [[nodiscard]] double length_behind(std::size_t k, std::size_t count) const;
   void add_length(std::size_t begin);
   [[nodiscard]] Samples kept_as_guide(Samples samples, int generation);
   [[nodiscard]] bool is_alive(const Samples& samples) const;

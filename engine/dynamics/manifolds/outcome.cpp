@@ -5,8 +5,8 @@
 
 namespace lober::detail {
 
-void append_finite(const Trace& trace, std::size_t first, Buffer<Point>& points, Buffer<double>& parameters,
-                   std::vector<GrowthDiagnostic>& diagnostics) {
+void append_finite(const Trace& trace, std::size_t first, double sign, Buffer<Point>& points,
+                   Buffer<double>& parameters, std::vector<GrowthDiagnostic>& diagnostics) {
   const Samples& samples = trace.samples;
   // Samples without an image are next to diagnostics, so that from one diagnostic to the next all are taken.
   std::size_t next = first;
@@ -16,7 +16,8 @@ void append_finite(const Trace& trace, std::size_t first, Buffer<Point>& points,
     points.resize(at + end - next);
     parameters.resize(at + end - next);
     std::copy(&samples.points[next], &samples.points[end - 1] + 1, &points[at]);
-    std::copy(&samples.parameters[next], &samples.parameters[end - 1] + 1, &parameters[at]);
+    std::transform(&samples.parameters[next], &samples.parameters[end - 1] + 1, &parameters[at],
+                   [sign](double parameter) { return sign * parameter; });
     next = end;
   };
   const auto finite = [&](std::size_t k) {

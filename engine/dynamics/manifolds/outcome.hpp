@@ -9,9 +9,10 @@
 namespace lober::detail {
 
 /// Appends the samples from number `first` on to a curve, without those whose image is not finite; diagnostics are
-/// numbered by the segments of the curve, and neighbouring ones of the same cause joined.
-void append_finite(const Trace& trace, std::size_t first, Buffer<Point>& points, Buffer<double>& parameters,
-                   std::vector<GrowthDiagnostic>& diagnostics);
+/// numbered by the segments of the curve, and neighbouring ones of the same cause joined. Parameters are multiplied by
+/// `sign`, 1 or -1.
+void append_finite(const Trace& trace, std::size_t first, double sign, Buffer<Point>& points,
+                   Buffer<double>& parameters, std::vector<GrowthDiagnostic>& diagnostics);
 
 /// Drops diagnostics of segments from number `segments` on.
 void cut_diagnostics(std::vector<GrowthDiagnostic>& diagnostics, std::size_t segments);

@@ -11,6 +11,11 @@ namespace {
 constexpr double max_unevenness = 4;
 constexpr double at_corner = -1;  // instead of a curvature
 
+SegmentBounds bounds_for(const TraceOptions& options) {
+  // Segments that the tolerance makes invisible are not uneven.
+  return {options.box, 4 * options.tolerance, max_unevenness, caution, coarsest_guide, sharpest_guide};
+}
+
 }  // namespace
 
 std::int64_t SegmentRequirements::measure(const Samples& samples, std::span<const std::uint32_t> kept,
@@ -25,12 +30,16 @@ std::int64_t SegmentRequirements::measure(const Samples& samples, std::span<cons
     bend_[*k - begin] = at_corner;
   parts_needed(&length_[1], bend_.data(), count, {options.tolerance, options.max_length, max_parts},
                required_parts_.data());
-  // Segments that the tolerance makes invisible are not uneven.
-  const SegmentBounds bounds{options.box, 4 * options.tolerance, max_unevenness,
-                             caution,     coarsest_guide,        sharpest_guide};
   return flag_segments({&samples.points[begin], &samples.parameters[begin], before == 1, after == 1, length_.data(),
                         bend_.data(), required_parts_.data(), count},
-                       bounds, flags_.data());
+                       bounds_for(options), flags_.data());
+}
+
+bool SegmentRequirements::surely_fine(const Samples& samples, const TraceOptions& options, std::size_t begin,
+                                      std::size_t end) {
+  return detail::surely_fine(
+      {&samples.points[begin], &samples.parameters[begin], begin > 0, end + 1 < samples.points.size(), end - begin},
+      bounds_for(options), {options.tolerance, options.max_length, max_parts});
 }
 
 }  // namespace lober::detail

@@ -114,6 +114,10 @@ class Tracer {
     SegmentRequirements requirements;
     for (; begin < end; begin = std::min(begin + SegmentRequirements::most, end)) {
       const std::size_t until = std::min(begin + SegmentRequirements::most, end);
+      if (flags == against_tolerance && SegmentRequirements::surely_fine(samples_, options_, begin, until)) {
+        plain(begin, until, requirements);
+        continue;
+      }
       const std::int64_t any = requirements.measure(samples_, corners(), options_, begin, until);
       std::size_t next = begin;
       for (std::size_t k = begin; (any & flags) != 0 && k < until; ++k) {
