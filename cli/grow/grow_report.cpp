@@ -20,7 +20,7 @@ std::string_view growth_cause_text(GrowthDiagnosticCause cause) {
     case GrowthDiagnosticCause::max_rounds:
       return "the tolerance is not met";
     case GrowthDiagnosticCause::left_box:
-      return "outside of the box, where the manifold is followed coarsely";
+      return "outside of the box, where the manifold is followed coarsely: what comes back may be wrong or missing";
   }
   return {};
 }

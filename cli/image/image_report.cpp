@@ -27,7 +27,7 @@ const char* cause_text(GrowthDiagnosticCause cause) {
     case GrowthDiagnosticCause::left_box:
       break;
   }
-  return "segments outside the box, where the tolerance does not hold";
+  return "segments outside the box, where the tolerance does not hold: what comes back may be wrong or missing";
 }
 
 std::string remarks(const ImageReport& report) {

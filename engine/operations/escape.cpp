@@ -133,7 +133,7 @@ Outcome run_escape(std::span<const Input> inputs, const Options& options, const 
 Operation escape_operation() {
   Operation operation;
   operation.name = "escape";
-  operation.revision = 4;  // points elsewhere by roundings; larger bars of cut rows; bars hold what polygons miss
+  operation.revision = 5;  // points are denser where a fold lies at an end
   operation.title = "escape from a potential well by its bottlenecks, crossing by crossing";
   operation.summary =
       "Computes the escape from a potential well: the periodic orbits of its bottlenecks, their tubes on a section, "

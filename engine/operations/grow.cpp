@@ -56,7 +56,9 @@ const OptionList<GrowHow>& grow_options() {
             "max_length", &GrowHow::max_length, "maximum length of a segment, in units of the coordinates",
             {.min = 0, .above_min = true, .otherwise = "1/50 of the extent of the local manifold", .value = "LENGTH"})
         .option("box", &GrowHow::box,
-                "corners of the box in which the tolerance holds; outside it the manifold is followed coarsely",
+                "corners of the box in which the tolerance holds; outside it the manifold is followed coarsely, and "
+                "what comes "
+                "back may be wrong or missing",
                 {.otherwise = "a square around the saddle, 200 extents of the local manifold wide"})
         .option("max_points", &GrowHow::max_points, "maximum number of points, at which growing ends",
                 {.min = 2, .value = "N"})
@@ -162,7 +164,9 @@ Branch branch_of(const GrowHow& how, const System& system, const LocalManifold& 
   if (*how.branch == "-" || *how.branch == "minus") return Branch::minus;
   try {
     const OptionSpec vector{"branch", Point{}};
-    return branch_towards(local, std::get<Point>(option_value(vector, "branch", *how.branch)));
+    const auto towards = std::get<Point>(option_value(vector, "branch", *how.branch));
+    if (towards.x == 0 && towards.y == 0) throw UsageError("the vector 0,0 has no direction");
+    return branch_towards(local, towards);
   } catch (const UsageError&) {
     throw UsageError("a branch is +, - or a vector roughly along it, X,Y; not \"" + *how.branch + "\"");
   }
@@ -259,7 +263,7 @@ Outcome run_grow(std::span<const Input> inputs, const Options& options, const Co
 Operation grow_operation() {
   Operation operation;
   operation.name = "grow";
-  operation.revision = 3;  // lengths end at the edges of the box; points lie elsewhere by roundings
+  operation.revision = 4;  // points are denser where a fold lies at an end
   operation.title = "a branch of the stable or unstable manifold of a saddle";
   operation.summary =
       "Grows a branch of the stable or unstable manifold of a saddle of a map, or of a flow's Poincare map, to a "

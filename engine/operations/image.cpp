@@ -66,9 +66,11 @@ const OptionList<ImageHow>& image_options() {
     add_tolerance_option(list, "maximum distance between an image and its polygon")
         .option("max_length", &How::max_segment, "maximum length of a segment, in units of the coordinates",
                 {.min = 0, .above_min = true, .otherwise = "no maximum", .value = "LENGTH"})
-        .option("box", &How::box_given,
-                "corners of the box in which the tolerance holds; outside it images are followed coarsely",
-                {.otherwise = "the box of the curve and of the system's window, three times as wide and high"})
+        .option(
+            "box", &How::box_given,
+            "corners of the box in which the tolerance holds; outside it images are followed coarsely, and what comes "
+            "back may be wrong or missing",
+            {.otherwise = "the box of the curve and of the system's window, three times as wide and high"})
         .option("max_points", &How::max_points, "maximum number of points of an image, at which it ends",
                 {.min = 2, .max = 2'147'483'646, .value = "N"});
     return add_work_option(list);
@@ -307,7 +309,7 @@ Outcome run_image(std::span<const Input> inputs, const Options& options, const C
 Operation image_operation() {
   Operation operation;
   operation.name = "image";
-  operation.revision = 2;  // points of traced curves lie elsewhere by roundings
+  operation.revision = 3;  // points are denser where a fold lies at an end
   operation.title = "images and pre-images of a curve under a system's map";
   operation.summary =
       "Computes images and pre-images of a curve under a map, or a flow's Poincare map, to a tolerance.";

@@ -660,8 +660,9 @@ def grow(
         coordinates; default: no limit, and there have to be iterates
     max_length: maximum length of a segment, in units of the coordinates; default: 1/50 of the extent of the
         local manifold
-    box: corners of the box in which the tolerance holds; outside it the manifold is followed coarsely; default:
-        a square around the saddle, 200 extents of the local manifold wide
+    box: corners of the box in which the tolerance holds; outside it the manifold is followed coarsely, and what
+        comes back may be wrong or missing; default: a square around the saddle, 200 extents of the local manifold
+        wide
     max_points: maximum number of points, at which growing ends
     max_memory: memory in bytes at which growing ends; default: no limit
     max_work: maximum work, in evaluations of the vector field, or in steps of a map that is given by formulas
@@ -721,8 +722,9 @@ def images(
     tolerance: maximum distance between an image and its polygon, in units of the coordinates; default: 1e-5
         times the power of ten in the extent of the system's window: 1e-5 for the built-in systems
     max_length: maximum length of a segment, in units of the coordinates; default: no maximum
-    box: corners of the box in which the tolerance holds; outside it images are followed coarsely; default: the
-        box of the curve and of the system's window, three times as wide and high
+    box: corners of the box in which the tolerance holds; outside it images are followed coarsely, and what
+        comes back may be wrong or missing; default: the box of the curve and of the system's window, three times as
+        wide and high
     max_points: maximum number of points of an image, at which it ends
     max_work: maximum work, in evaluations of the vector field, or in steps of a map that is given by formulas
     """

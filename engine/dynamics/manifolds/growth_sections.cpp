@@ -1,5 +1,6 @@
 // The sections of a piece of a growing manifold: where each begins, and how they are traced.
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <mutex>
 #include <thread>
@@ -9,6 +10,7 @@
 #include "engine/base/parallel/ordered_pipeline.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/dynamics/manifolds/manifold_growth.hpp"
+#include "engine/dynamics/maps/plane.hpp"
 #include "lober/base/error.hpp"
 
 namespace lober::detail {
@@ -62,7 +64,44 @@ void ManifoldGrowth::split(const Samples& samples, std::vector<Guide>& guides) {
   for (std::size_t k = 0; k < parts; ++k) {
     const std::size_t begin = segments * k / parts, size = segments * (k + 1) / parts + 1 - begin;
     guides.push_back(
-        {std::span(samples.parameters).subspan(begin, size), std::span(samples.points).subspan(begin, size)});
+        {std::span(samples.parameters).subspan(begin, size), std::span(samples.points).subspan(begin, size), {}});
+  }
+}
+
+Point ManifoldGrowth::local_point(double parameter) const {
+  Point point;
+  image(0)({&parameter, 1}, {&point, 1});
+  return point;
+}
+
+// Gives the guides of a piece what lies beyond their ends on the curve that they lie on. With F P(s) = P(ratio s) the
+// generation before goes on with images of its own first points, so that the saddle is the only end.
+void ManifoldGrowth::link(std::vector<Guide>& guides, int generation, int part) {
+  for (std::size_t k = 0; k + 1 < guides.size(); ++k) {
+    guides[k + 1].beyond.before = guides[k].points[guides[k].points.size() - 2];
+    guides[k].beyond.behind = guides[k + 1].points[1];
+  }
+  Guide &first = guides.front(), &last = guides.back();
+  const double begin = first.parameters.front(), end = last.parameters.back();
+  const double gap = end - last.parameters[last.parameters.size() - 2];
+  // The local manifold goes on at images of points that its guide need not have.
+  if (part == 0) second_ = generation == 0 ? local_point((end + gap) / ratio_) : first.points[1];
+  if (part == 0 && generation == 1)
+    last_but_one_ = local_point(std::max(begin - first.parameters[1] + begin, 0.5 * begin));
+  if (generation > 0) first.beyond.before = last_but_one_;
+  if (part == pieces_ - 1 || generation == 0) {
+    last.beyond.behind = second_;
+    map_.iterate({&*last.beyond.behind, 1}, steps_);
+    count(static_cast<std::uint64_t>(std::abs(steps_)));
+  } else if (generation == 1) {
+    last.beyond.behind = local_point(end + gap);
+  } else {
+    last.beyond.behind = previous_[static_cast<std::size_t>(part) + 1].front().points[1];
+  }
+  last_but_one_ = last.points[last.points.size() - 2];
+  for (Guide& guide : guides) {
+    guide.beyond.function_goes_back = generation > 0;
+    forget_unknown(guide.beyond);
   }
 }
 
@@ -90,15 +129,22 @@ ManifoldGrowth::Limits ManifoldGrowth::limits_left(int generation) const {
           options_.length - result_.length};
 }
 
-// The points of a guide one image on.
-Samples ManifoldGrowth::carried(const Guide& guide, int generation, double end, const Counted& counted) const {
+// The points of a guide one image on, and those beyond its ends.
+Samples ManifoldGrowth::carried(const Guide& guide, int generation, double end, Beyond& beyond,
+                                const Counted& counted) const {
   std::size_t size = guide.points.size();
+  beyond = guide.beyond;
   const bool ends_within = end < guide.parameters.back();
   if (ends_within) {
     size = 1 + static_cast<std::size_t>(std::lower_bound(guide.parameters.begin(), guide.parameters.end(), end) -
                                         guide.parameters.begin());
+    const std::size_t next = guide.parameters[size - 1] > end ? size - 1 : size;
+    beyond.behind = guide.points[next];
   }
-  Samples samples{Buffer<double>(size), Buffer<Point>(size)};
+  const std::array<std::optional<Point>*, 2> outer{&beyond.before, &beyond.behind};
+  Samples samples{Buffer<double>(size), {}};
+  samples.points.reserve(size + outer.size());
+  samples.points.resize(size);
   std::copy_n(guide.parameters.data(), size, samples.parameters.data());
   std::copy_n(guide.points.data(), size, samples.points.data());
   if (ends_within) {
@@ -106,16 +152,26 @@ Samples ManifoldGrowth::carried(const Guide& guide, int generation, double end, 
     image(generation - 1)({&end, 1}, {&samples.points.back(), 1});
   }
   if (generation == 0) return samples;
-  for_each_block(size, trace_options_.batch, [&](std::size_t first, std::size_t last) {
+  // Those beyond are carried with the others, as one more point of a flow takes as long as several.
+  for (const std::optional<Point>* point : outer) {
+    if (*point) samples.points.push_back(**point);
+  }
+  for_each_block(samples.points.size(), trace_options_.batch, [&](std::size_t first, std::size_t last) {
     map_.iterate(std::span(samples.points).subspan(first, last - first), steps_);
   });
-  counted(size * static_cast<std::uint64_t>(std::abs(steps_)));
+  counted(samples.points.size() * static_cast<std::uint64_t>(std::abs(steps_)));
+  for (std::size_t next = size; std::optional<Point> * point : outer) {
+    if (*point) *point = samples.points[next++];
+  }
+  forget_unknown(beyond);
+  samples.points.resize(size);
   return samples;
 }
 
 Trace ManifoldGrowth::traced_section(const Guide& guide, int generation, double end, const Limits& limits,
                                      const Counted& counted) const {
-  Samples samples = carried(guide, generation, end, counted);
+  Beyond beyond;
+  Samples samples = carried(guide, generation, end, beyond, counted);
   TraceOptions options = trace_options_;
   options.max_points = limits.points;
   options.max_total_length = limits.length;
@@ -124,7 +180,7 @@ Trace ManifoldGrowth::traced_section(const Guide& guide, int generation, double 
   options.evaluated = [&](std::size_t evaluations) { counted(evaluations * steps); };
   options.images_are_dear = are_dear(map_, steps);
   const auto last = static_cast<std::uint32_t>(samples.points.size() - 1);
-  return traced(std::move(samples), {0, last}, image(generation), options);
+  return traced(std::move(samples), {0, last}, beyond, image(generation), options);
 }
 
 // Nothing where the section does not fit into the points and images of the map that are left.

@@ -1,6 +1,7 @@
 // Images of curves, by the same machinery as manifolds.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -44,11 +45,34 @@ void close(CurveImage& image, bool ends_have_images) {
   }
 }
 
+// A closed curve may go on at its start as smoothly as elsewhere.
+enum class Ends : std::uint8_t { open, meet_in_a_corner, meet_smoothly };
+
+Ends ends_of(const CurveFunction& curve, double first, double last) {
+  constexpr double near = 1e-5, smooth = 1e-3;  // parts of the curve, and a turning that is not a corner's (radians)
+  const double step = near * (last - first);
+  const std::array<double, 4> parameters{first, first + step, last - step, last};
+  std::array<Point, 4> at;
+  curve(parameters, at);
+  const Point begins = at[1] - at[0], ends = at[3] - at[2];
+  return std::fabs(cross(ends, begins)) < smooth * (ends.x * begins.x + ends.y * begins.y) ? Ends::meet_smoothly
+                                                                                           : Ends::meet_in_a_corner;
+}
+
+// What lies beyond the ends of samples of a curve.
+Beyond beyond_ends(const Samples& samples, Ends ends) {
+  const std::size_t size = samples.points.size();
+  if (ends != Ends::meet_smoothly || size < 4) return {};
+  Beyond beyond{samples.points[size - 2], samples.points[1], true, false};
+  forget_unknown(beyond);
+  return beyond;
+}
+
 // Each curve of a sequence in turn: the points of one, carried on, show where the next one needs points. `at` gives
 // curve k at parameters, `onward` turns points of curve k - 1 into those of curve k; a point of curve k costs
 // `steps(k)` steps of the map, where there is one. `finished` takes each curve and says whether to go on.
 template <typename Steps, typename Finished>
-void trace_in_turn(const ImageOptions& given, bool closed, Samples guide, std::vector<std::uint32_t> kept,
+void trace_in_turn(const ImageOptions& given, Ends ends, Samples guide, std::vector<std::uint32_t> kept,
                    const CurveSequence& at, const CurveSequence& onward, const Steps& steps, const Finished& finished,
                    const PlanarMap* map = nullptr, std::function<bool()> spent = {}) {
   TraceOptions options = options_for_tracing(given, guide);
@@ -66,13 +90,14 @@ void trace_in_turn(const ImageOptions& given, bool closed, Samples guide, std::v
     };
     options.evaluated = [&](std::size_t evaluations) { count(evaluations, steps(done)); };
     options.images_are_dear = map == nullptr || are_dear(*map, static_cast<std::uint64_t>(done));
-    Trace trace = traced(std::move(guide), std::move(kept), curve, options);
+    const Beyond beyond = beyond_ends(guide, ends);
+    Trace trace = traced(std::move(guide), std::move(kept), beyond, curve, options);
     CurveImage result;
     result.images = images;
     if (trace.out_of_points) result.stop = GrowthStop::points;
     append_finite(trace, 0, 1, result.points, result.parameters, result.diagnostics);
-    result.closed = closed;
-    if (closed) close(result, is_finite(trace.samples.points.front()) && is_finite(trace.samples.points.back()));
+    result.closed = ends != Ends::open;
+    if (result.closed) close(result, is_finite(trace.samples.points.front()) && is_finite(trace.samples.points.back()));
     if (!finished(done, std::move(result)) || trace.out_of_points) return;
     guide = std::move(trace.samples);
     kept = std::move(trace.kept);
@@ -85,7 +110,7 @@ void trace_in_turn(const ImageOptions& given, bool closed, Samples guide, std::v
 }
 
 // The images under 1, 2, ... steps in one direction, from the curve itself on.
-void trace_images(const PlanarMap& map, int direction, const ImageOptions& given, bool closed, Samples guide,
+void trace_images(const PlanarMap& map, int direction, const ImageOptions& given, Ends ends, Samples guide,
                   std::vector<std::uint32_t> kept, const CurveFunction& curve,
                   const std::function<bool(int done, CurveImage&&)>& finished) {
   const CurveSequence at = [&](int done, std::span<const double> parameters, std::span<Point> points) {
@@ -110,12 +135,12 @@ void trace_images(const PlanarMap& map, int direction, const ImageOptions& given
   };
   const auto trace_all = [&] {
     trace_in_turn(
-        limited, closed, std::move(guide), std::move(kept), at, onward, [](int done) { return done; }, count_finished,
+        limited, ends, std::move(guide), std::move(kept), at, onward, [](int done) { return done; }, count_finished,
         &map, spent);
   };
   if (!completes(trace_all, spent)) {
     CurveImage missing;
-    missing.closed = closed;
+    missing.closed = ends != Ends::open;
     missing.stop = GrowthStop::work;
     finished(next, std::move(missing));
   }
@@ -126,12 +151,12 @@ struct GivenCurve {
   CurveFunction function;
   Samples guide;
   std::vector<std::uint32_t> kept;
-  bool closed = true;
+  Ends ends = Ends::meet_in_a_corner;
 };
 
 CurveImage last_image(const PlanarMap& map, int iterates, const ImageOptions& options, GivenCurve curve) {
   CurveImage last;
-  trace_images(map, iterates < 0 ? -1 : 1, options, curve.closed, std::move(curve.guide), std::move(curve.kept),
+  trace_images(map, iterates < 0 ? -1 : 1, options, curve.ends, std::move(curve.guide), std::move(curve.kept),
                curve.function, [&](int done, CurveImage&& image) {
                  last = std::move(image);
                  return done != std::abs(iterates);
@@ -144,7 +169,7 @@ std::vector<CurveImage> all_images(const PlanarMap& map, int first, int last, co
   if (first > last) throw UsageError("images: the first iterate has to come before the last one");
   std::vector<CurveImage> images;
   const auto add = [&](int direction, int from, int to) {
-    trace_images(map, direction, options, curve.closed, curve.guide, curve.kept, curve.function,
+    trace_images(map, direction, options, curve.ends, curve.guide, curve.kept, curve.function,
                  [&](int done, CurveImage&& image) {
                    image.iterate = done * direction;
                    if (done >= from) images.push_back(std::move(image));
@@ -192,8 +217,9 @@ Samples first_guide(std::span<const double> corners, const CurveFunction& curve,
 
 GivenCurve by_function(const CurveFunction& curve, std::span<const double> corners, const ImageOptions& options) {
   require_sensible(options);
-  GivenCurve given{curve, {}, {}, true};
+  GivenCurve given{curve, {}, {}};
   given.guide = first_guide(corners, curve, given.kept);
+  given.ends = ends_of(curve, corners.front(), corners.back());
   return given;
 }
 
@@ -204,7 +230,7 @@ GivenCurve by_polygon(CurveView curve, const ImageOptions& options) {
   const std::size_t size = curve.segments() + 1;
   const auto vertex = [curve](std::size_t k) { return curve.points[k < curve.points.size() ? k : 0]; };
   GivenCurve given;
-  given.closed = curve.closed;
+  given.ends = curve.closed ? Ends::meet_in_a_corner : Ends::open;
   given.function = [vertex](std::span<const double> parameters, std::span<Point> points) {
     for (std::size_t k = 0; k < parameters.size(); ++k) {
       const double number = std::floor(parameters[k]), t = parameters[k] - number;
@@ -261,7 +287,8 @@ std::vector<CurveImage> images_of(const CurveSequence& curves, std::span<const d
   }
   std::vector<CurveImage> results;
   trace_in_turn(
-      options, true, std::move(samples), std::move(kept), curves, curves, [](int done) { return done + 1; },
+      options, ends_of(first, corners.front(), corners.back()), std::move(samples), std::move(kept), curves, curves,
+      [](int done) { return done + 1; },
       [&](int, CurveImage&& image) {
         results.push_back(std::move(image));
         return goes_on(results.back());

@@ -124,6 +124,7 @@ void ManifoldGrowth::grow_piece() {
   }
   std::vector<Guide> guides;
   for (const Samples& samples : own) split(samples, guides);
+  link(guides, generation, part);
   std::erase_if(guides, [&](const Guide& guide) { return guide.parameters.front() >= end; });
   const Size before = size();
   if (part == 0) {

@@ -55,7 +55,10 @@ class ManifoldGrowth {
   struct Guide {
     std::span<const double> parameters;
     std::span<const Point> points;
+    Beyond beyond;
   };
+  void link(std::vector<Guide>& guides, int generation, int part);
+  [[nodiscard]] Point local_point(double parameter) const;
   static void split(const Samples& samples, std::vector<Guide>& guides);
   /// The size of the result.
   struct Size {
@@ -83,7 +86,8 @@ class ManifoldGrowth {
   };
   [[nodiscard]] Limits limits_left(int generation) const;
   [[nodiscard]] Samples part_of_local(const Samples& samples, int part) const;
-  [[nodiscard]] Samples carried(const Guide& guide, int generation, double end, const Counted& counted) const;
+  [[nodiscard]] Samples carried(const Guide& guide, int generation, double end, Beyond& beyond,
+                                const Counted& counted) const;
   [[nodiscard]] Trace traced_section(const Guide& guide, int generation, double end, const Limits& limits,
                                      const Counted& counted) const;
   [[nodiscard]] std::optional<Trace> traced_within_limits(const Guide& guide, int generation, double end);
@@ -113,6 +117,8 @@ class ManifoldGrowth {
   std::size_t generations_ = 0;  // begun
   // The sections in which each piece of the generation before and of this one was traced; parameters > 0.
   std::vector<std::vector<Samples>> previous_, current_;
+  // Of the guides of a generation the second point, of those of the piece before this one the last but one.
+  Point second_, last_but_one_;
   double stretched_ = 1;          // points of the piece that was grown last for each of its guides
   bool goes_on_ = false;          // whether any of this generation is left to grow
   double generation_length_ = 0;  // up to the tolerance; no more is asked

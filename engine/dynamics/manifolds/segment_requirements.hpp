@@ -31,17 +31,17 @@ struct TracedSegment {
 };
 
 /// Segments begin .. end of the samples, at most `most` of them. Vertices `kept` are corners: there, and at the ends of
-/// the samples, curvature is taken from the other end of the segment.
+/// the samples if nothing is known beyond, curvature is taken from the other end of the segment.
 class SegmentRequirements {
  public:
   static constexpr std::size_t most = max_flagged;
   /// Returns the flags that any of the segments has.
-  std::int64_t measure(const Samples& samples, std::span<const std::uint32_t> kept, const TraceOptions& options,
-                       std::size_t begin, std::size_t end);
+  std::int64_t measure(const Samples& samples, std::span<const std::uint32_t> kept, const Beyond& beyond,
+                       const TraceOptions& options, std::size_t begin, std::size_t end);
   /// True only where `measure` would flag none of them as outside, uneven or coarse, whatever is kept; false where that
   /// is not sure. Most segments have none of these flags once points are placed, and this costs a third.
-  [[nodiscard]] static bool surely_fine(const Samples& samples, const TraceOptions& options, std::size_t begin,
-                                        std::size_t end);
+  [[nodiscard]] static bool surely_fine(const Samples& samples, const Beyond& beyond, const TraceOptions& options,
+                                        std::size_t begin, std::size_t end);
   [[nodiscard]] TracedSegment operator[](std::size_t number) const {
     const std::size_t k = number - begin_;
     return {number,

@@ -43,8 +43,9 @@ double whole_number(double x) {
 
 class Tracer {
  public:
-  Tracer(Samples guide, std::vector<std::uint32_t> kept, const CurveFunction& function, const TraceOptions& options)
-      : samples_(std::move(guide)), kept_(std::move(kept)), function_(function), options_(options) {
+  Tracer(Samples guide, std::vector<std::uint32_t> kept, const Beyond& beyond, const CurveFunction& function,
+         const TraceOptions& options)
+      : samples_(std::move(guide)), kept_(std::move(kept)), beyond_(beyond), function_(function), options_(options) {
     edge_ =
         std::max(2 * options.min_spacing, edge_resolution * (samples_.parameters.back() - samples_.parameters.front()));
   }
@@ -62,6 +63,7 @@ class Tracer {
     }
     if (rounds_ == options_.max_rounds) (void)cuts(against_guide, by_guide, parts);  // for what they require
     if (!abandoned()) resample_evenly();
+    if (!abandoned()) look_nearer_beyond();
     required_.clear();
     verdicts_.assign(segments(), open);
     while (!abandoned() && rounds_ < options_.max_rounds &&
@@ -114,11 +116,11 @@ class Tracer {
     SegmentRequirements requirements;
     for (; begin < end; begin = std::min(begin + SegmentRequirements::most, end)) {
       const std::size_t until = std::min(begin + SegmentRequirements::most, end);
-      if (flags == against_tolerance && SegmentRequirements::surely_fine(samples_, options_, begin, until)) {
+      if (flags == against_tolerance && SegmentRequirements::surely_fine(samples_, beyond_, options_, begin, until)) {
         plain(begin, until, requirements);
         continue;
       }
-      const std::int64_t any = requirements.measure(samples_, corners(), options_, begin, until);
+      const std::int64_t any = requirements.measure(samples_, corners(), beyond_, options_, begin, until);
       std::size_t next = begin;
       for (std::size_t k = begin; (any & flags) != 0 && k < until; ++k) {
         if ((requirements.flags(k) & flags) == 0) continue;
@@ -324,6 +326,7 @@ class Tracer {
     samples_.parameters.resize(size);
     verdicts_.resize(size - 1);
     if (!required_.empty()) required_.resize(size - 1);
+    beyond_.behind.reset();
     while (!kept_.empty() && kept_.back() >= size - 1) kept_.pop_back();
     kept_.push_back(static_cast<std::uint32_t>(size - 1));
   }
@@ -358,6 +361,18 @@ class Tracer {
     evaluate_between(known, index, even);
     for (const std::uint32_t k : known) even.points[static_cast<std::size_t>(index[k])] = samples_.points[k];
     samples_ = std::move(even);
+  }
+
+  void look_nearer_beyond() {
+    if (beyond_.is_loop) {
+      beyond_.before = samples_.points[segments() - 1];
+      beyond_.behind = samples_.points[1];
+    } else if (beyond_.before && beyond_.function_goes_back && !options_.images_are_dear) {
+      const double first = samples_.parameters[0], parameter = std::max(first - gap(0), 0.5 * first);
+      function_({&parameter, 1}, {&*beyond_.before, 1});
+      if (options_.evaluated) options_.evaluated(1);
+    }
+    forget_unknown(beyond_);
   }
 
   // Cuts the part beyond the length asked for. Chords are shorter than the curve, so enough remains.
@@ -481,6 +496,7 @@ class Tracer {
 
   Samples samples_;
   std::vector<std::uint32_t> kept_;
+  Beyond beyond_;
   const CurveFunction& function_;
   const TraceOptions& options_;
   double edge_ = 0;
@@ -492,9 +508,9 @@ class Tracer {
 
 }  // namespace
 
-Trace traced(Samples guide, std::vector<std::uint32_t> kept, const CurveFunction& function,
+Trace traced(Samples guide, std::vector<std::uint32_t> kept, const Beyond& beyond, const CurveFunction& function,
              const TraceOptions& options) {
-  return Tracer(std::move(guide), std::move(kept), function, options).run();
+  return Tracer(std::move(guide), std::move(kept), beyond, function, options).run();
 }
 
 }  // namespace lober::detail

@@ -9,9 +9,11 @@
 // coarse, because the guide did not see it, is cut again, round by round.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "kernels/box.hpp"
@@ -25,6 +27,21 @@ struct Samples {
   Buffer<double> parameters;
   Buffer<Point> points;
 };
+
+/// Points beyond the ends, where the curve goes on without a corner: they show how it bends at the ends. Once points
+/// are placed, nearer ones are taken where that costs little.
+struct Beyond {
+  std::optional<Point> before, behind;
+  bool is_loop = false;             ///< the ends are one point, and these are those next to it
+  bool function_goes_back = false;  ///< the function is defined before the first parameter too, down to half of it
+};
+
+/// Forgets those that have no coordinates.
+inline void forget_unknown(Beyond& beyond) {
+  for (std::optional<Point>* point : {&beyond.before, &beyond.behind}) {
+    if (*point && !(std::isfinite((*point)->x) && std::isfinite((*point)->y))) point->reset();
+  }
+}
 
 struct TraceOptions {
   double tolerance = 0;
@@ -57,8 +74,9 @@ struct Trace {
 }
 
 /// Points of the guide with the numbers `kept` (ascending, the first and the last among them) stay; the curve may have
-/// corners there. Parallel; the same bits for any number of threads. O(points) a round, few rounds.
-[[nodiscard]] Trace traced(Samples guide, std::vector<std::uint32_t> kept, const CurveFunction& function,
-                           const TraceOptions& options);
+/// corners there, at the first and the last if nothing is known beyond. Parallel; the same bits for any number of
+/// threads. O(points) a round, few rounds.
+[[nodiscard]] Trace traced(Samples guide, std::vector<std::uint32_t> kept, const Beyond& beyond,
+                           const CurveFunction& function, const TraceOptions& options);
 
 }  // namespace lober::detail

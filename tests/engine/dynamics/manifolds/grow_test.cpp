@@ -84,6 +84,24 @@ TEST(Grow, MeetsTheToleranceWithFewPoints) {
   }
 }
 
+// Folds that lie where one generation ends and the next begins, which neither sees whole: the distance was up to 7.7
+// tolerances.
+TEST(Grow, ToleranceHoldsBetweenGenerations) {
+  for (const double k : {0.3, 0.5, 0.7, 1.2, 2.5}) {
+    const StandardMap map(k);
+    for (const ManifoldSide side : all_manifold_sides) {
+      const LocalManifold local = local_manifold(map, {0, 0}, side);
+      for (const double tolerance : {1e-3, 1e-4}) {
+        for (const Branch branch : {Branch::plus, Branch::minus}) {
+          const GrownManifold grown = grow(map, local, branch, {.tolerance = tolerance, .length = 40});
+          EXPECT_LE(measured(map, local, grown, tolerance).worst, 1.7)
+              << k << ' ' << tolerance << ' ' << static_cast<int>(branch);
+        }
+      }
+    }
+  }
+}
+
 TEST(Grow, VerticesAreExactImages) {
   const StandardMap map(1.2);
   const LocalManifold local = local_manifold(map, {0, 0}, ManifoldSide::unstable);
@@ -441,8 +459,9 @@ LobeAreas lobe(double k, Point q_b, Point q_a, double tolerance) {
   const LocalManifold s = local_manifold(map, {2 * std::numbers::pi, 0}, ManifoldSide::stable, near);
   const GrowthOptions options{.tolerance = tolerance, .length = 6, .max_length = 1};
   const GrownManifold grown_u = grow(map, u, Branch::plus, options), grown_s = grow(map, s, Branch::minus, options);
-  std::vector<Point> first = part_between(grown_u, q_b.x - 0.05, q_a.x + 0.05);
-  std::vector<Point> second = part_between(grown_s, q_a.x + 0.05, q_b.x - 0.05);
+  constexpr double beyond = 0.15;  // more than a segment, so that each arc reaches over both pips
+  std::vector<Point> first = part_between(grown_u, q_b.x - beyond, q_a.x + beyond);
+  std::vector<Point> second = part_between(grown_s, q_a.x + beyond, q_b.x - beyond);
   const std::size_t points = first.size() + second.size();
   const auto middle = [&](const std::vector<Point>& curve) {
     const double x = (q_a.x + q_b.x) / 2;

@@ -52,6 +52,40 @@ TEST(ImageOf, SmoothCurveMeetsTheTolerance) {
   }
 }
 
+// A thin image has its tips next to where the circle begins, and half a turn on: the first was cut off by up to 70
+// tolerances.
+TEST(ImageOf, TipsBesideTheStartOfACircleAreFound) {
+  struct {
+    double k, radius, tolerance;
+    int iterates;
+  } const cases[] = {{100, 0.01, 1e-6, 1}, {100, 0.01, 1e-5, 1}, {10, 0.01, 1e-4, 1}, {3, 0.001, 1e-4, 2},
+                     {6, 0.001, 1e-4, 2},  {6, 0.1, 1e-4, 1},    {1.2, 0.01, 1e-6, 4}};
+  const double corners[] = {0, 2 * std::numbers::pi};
+  for (const auto& c : cases) {
+    const StandardMap map(c.k);
+    const CurveFunction circle = [&](std::span<const double> parameters, std::span<Point> points) {
+      for (std::size_t k = 0; k < parameters.size(); ++k) {
+        points[k] = {c.radius * std::cos(parameters[k]), c.radius * std::sin(parameters[k])};
+      }
+    };
+    const CurveImage image = image_of(map, c.iterates, circle, corners, {.tolerance = c.tolerance});
+    double worst = 0;
+    for (std::size_t i = 0; i < image.points.size(); ++i) {
+      const bool last = i + 1 == image.points.size();
+      const double from = image.parameters[i], to = last ? corners[1] : image.parameters[i + 1];
+      for (int j = 1; j < 64; ++j) {
+        const double t = from + (to - from) * j / 64;
+        Point point;
+        circle({&t, 1}, {&point, 1});
+        map.iterate({&point, 1}, c.iterates);
+        worst = std::max(worst, distance_to_segment(point, image.points[i], image.points[last ? 0 : i + 1]));
+      }
+    }
+    EXPECT_LE(worst, c.tolerance) << c.k << ' ' << c.radius << ' ' << c.tolerance;
+    EXPECT_LE(image.points.size(), 120U) << c.k << ' ' << c.radius << ' ' << c.tolerance;
+  }
+}
+
 TEST(ImageOf, PolygonsKeepTheirVertices) {
   const StandardMap map(1.2);
   const std::vector<Point> square{{1, -1}, {4, -1}, {4, 1}, {1, 1}};

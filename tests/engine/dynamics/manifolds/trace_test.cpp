@@ -35,7 +35,7 @@ Trace traced_wave(std::uint32_t max_rounds, bool images_are_dear, std::size_t& e
   options.images_are_dear = images_are_dear;
   evaluations = 0;
   options.evaluated = [&](std::size_t more) { evaluations += more; };
-  return traced(std::move(guide), {0, 10, size - 1}, wave_at, options);
+  return traced(std::move(guide), {0, 10, size - 1}, {}, wave_at, options);
 }
 
 double worst_on_wave(const Samples& samples) {
