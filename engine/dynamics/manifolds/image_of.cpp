@@ -59,7 +59,7 @@ Ends ends_of(const CurveFunction& curve, double first, double last) {
                                                                                            : Ends::meet_in_a_corner;
 }
 
-// What lies beyond the ends of samples of a curve.
+// The points beyond the ends of samples of a curve.
 Beyond beyond_ends(const Samples& samples, Ends ends) {
   const std::size_t size = samples.points.size();
   if (ends != Ends::meet_smoothly || size < 4) return {};

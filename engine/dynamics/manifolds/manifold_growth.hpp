@@ -117,7 +117,7 @@ class ManifoldGrowth {
   std::size_t generations_ = 0;  // begun
   // The sections in which each piece of the generation before and of this one was traced; parameters > 0.
   std::vector<std::vector<Samples>> previous_, current_;
-  // Of the guides of a generation the second point, of those of the piece before this one the last but one.
+  // The second point of the guides of a generation, and the last but one of those of the piece before this one.
   Point second_, last_but_one_;
   double stretched_ = 1;          // points of the piece that was grown last for each of its guides
   bool goes_on_ = false;          // whether any of this generation is left to grow

@@ -52,9 +52,9 @@ TEST(ImageOf, SmoothCurveMeetsTheTolerance) {
   }
 }
 
-// A thin image has its tips next to where the circle begins, and half a turn on: the first was cut off by up to 70
+// A thin image turns back next to where the circle begins, and half a turn on: the first turn was cut off by up to 70
 // tolerances.
-TEST(ImageOf, TipsBesideTheStartOfACircleAreFound) {
+TEST(ImageOf, FoldsBesideTheStartOfACircleAreFound) {
   struct {
     double k, radius, tolerance;
     int iterates;
