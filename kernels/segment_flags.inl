@@ -61,7 +61,7 @@ inline bool all_surely_fine(const PointRow& row, const SegmentBounds& bounds, Pa
     y[k] = points[at].y - points[at - 1].y;
     gaps[k] = parameters[at] - parameters[at - 1];
     squares[k] = x[k] * x[k] + y[k] * y[k];
-    odd |= (gaps[k] >= least) & (gaps[k] <= most) ? 0 : 1;
+    odd |= ((gaps[k] >= least) & (gaps[k] <= most)) ? 0 : 1;
   }
   flag_outside(points, row.count + 1, bounds.box, outside);
   for (std::size_t k = 0; k <= row.count; ++k) odd |= outside[k];
@@ -79,7 +79,7 @@ inline bool all_surely_fine(const PointRow& row, const SegmentBounds& bounds, Pa
     const double a = squares[k] * (gaps[k + 1] * gaps[k + 1]), b = squares[k + 1] * (gaps[k] * gaps[k]);
     const double larger = a > b ? a : b, smaller = a > b ? b : a;
     const bool even = (larger <= unevenness * smaller) | (longer < hidden);
-    odd |= (dot >= least) & (longer <= limit) & flat & even ? 0 : 1;
+    odd |= ((dot >= least) & (longer <= limit) & flat & even) ? 0 : 1;
   }
   return odd == 0;
 }
