@@ -57,8 +57,7 @@ const OptionList<GrowHow>& grow_options() {
             {.min = 0, .above_min = true, .otherwise = "1/50 of the extent of the local manifold", .value = "LENGTH"})
         .option("box", &GrowHow::box,
                 "corners of the box in which the tolerance holds; outside it the manifold is followed coarsely, and "
-                "what comes "
-                "back may be wrong or missing",
+                "what comes back may be wrong or missing",
                 {.otherwise = "a square around the saddle, 200 extents of the local manifold wide"})
         .option("max_points", &GrowHow::max_points, "maximum number of points, at which growing ends",
                 {.min = 2, .value = "N"})
@@ -162,14 +161,17 @@ Branch branch_of(const GrowHow& how, const System& system, const LocalManifold& 
   }
   if (*how.branch == "+" || *how.branch == "plus") return Branch::plus;
   if (*how.branch == "-" || *how.branch == "minus") return Branch::minus;
+  Point towards;  // 0,0 has no direction
   try {
     const OptionSpec vector{"branch", Point{}};
-    const auto towards = std::get<Point>(option_value(vector, "branch", *how.branch));
-    if (towards.x == 0 && towards.y == 0) throw UsageError("the vector 0,0 has no direction");
-    return branch_towards(local, towards);
+    towards = std::get<Point>(option_value(vector, "branch", *how.branch));
   } catch (const UsageError&) {
+    towards = {};
+  }
+  if (towards == Point{}) {
     throw UsageError("a branch is +, - or a vector roughly along it, X,Y; not \"" + *how.branch + "\"");
   }
+  return branch_towards(local, towards);
 }
 
 // The fraction of the growth that is done, as far as it can be known: by the length, and by the cost of the iterates so

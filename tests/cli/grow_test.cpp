@@ -97,6 +97,7 @@ TEST_F(Grow, FindsTheSaddleItself) {
   EXPECT_NEAR(result["local_manifold"]["saddle"][0].get<double>(), 1 + std::sqrt(1.5), 1e-14);
   expect_failure({"double-gyre", "--period", "2", "--unstable", "--iterates", "0", "--tolerance", "1e-4"}, 2,
                  "several saddles");
+  expect_failure({"henon", "--unstable", "--iterates", "0", "--branch", "0,0"}, 2, "a branch is +, - or a vector");
 }
 
 // By default the two sides are those of one tangle, to its tolerance: heteroclinic, and homoclinic from files of which

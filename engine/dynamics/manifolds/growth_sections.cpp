@@ -10,7 +10,6 @@
 #include "engine/base/parallel/ordered_pipeline.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/dynamics/manifolds/manifold_growth.hpp"
-#include "engine/dynamics/maps/plane.hpp"
 #include "lober/base/error.hpp"
 
 namespace lober::detail {
@@ -86,8 +85,9 @@ void ManifoldGrowth::link(std::vector<Guide>& guides, int generation, int part) 
   const double gap = end - last.parameters[last.parameters.size() - 2];
   // The local manifold goes on at images of points that its guide need not have.
   if (part == 0) second_ = generation == 0 ? local_point((end + gap) / ratio_) : first.points[1];
-  if (part == 0 && generation == 1)
-    last_but_one_ = local_point(std::max(begin - first.parameters[1] + begin, 0.5 * begin));
+  if (part == 0 && generation == 1) {
+    last_but_one_ = local_point(std::max(begin - (first.parameters[1] - begin), 0.5 * begin));
+  }
   if (generation > 0) first.beyond.before = last_but_one_;
   if (part == pieces_ - 1 || generation == 0) {
     last.beyond.behind = second_;

@@ -38,8 +38,9 @@ std::int64_t SegmentRequirements::measure(const Samples& samples, std::span<cons
   bend_[0] = bend_[count] = at_corner;
   turns_along(&samples.points[begin - before], count + before + behind, &length_[1 - before], &bend_[1 - before]);
   // A segment alone may hide a fold, whatever the curve does beyond it: it stays unknown.
-  if (starts && beyond.before && segments > 1)
+  if (starts && beyond.before && segments > 1) {
     bend_[0] = bend_between(*beyond.before, samples.points[0], samples.points[1]);
+  }
   if (stops && beyond.behind && segments > 1) {
     bend_[count] = bend_between(samples.points[segments - 1], samples.points[segments], *beyond.behind);
   }

@@ -327,6 +327,7 @@ class Tracer {
     verdicts_.resize(size - 1);
     if (!required_.empty()) required_.resize(size - 1);
     beyond_.behind.reset();
+    beyond_.is_loop = false;
     while (!kept_.empty() && kept_.back() >= size - 1) kept_.pop_back();
     kept_.push_back(static_cast<std::uint32_t>(size - 1));
   }
@@ -507,6 +508,12 @@ class Tracer {
 };
 
 }  // namespace
+
+void forget_unknown(Beyond& beyond) {
+  for (std::optional<Point>* point : {&beyond.before, &beyond.behind}) {
+    if (*point && !is_finite(**point)) point->reset();
+  }
+}
 
 Trace traced(Samples guide, std::vector<std::uint32_t> kept, const Beyond& beyond, const CurveFunction& function,
              const TraceOptions& options) {

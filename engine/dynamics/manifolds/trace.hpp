@@ -9,7 +9,6 @@
 // coarse, because the guide did not see it, is cut again, round by round.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -37,11 +36,7 @@ struct Beyond {
 };
 
 /// Forgets those that have no coordinates.
-inline void forget_unknown(Beyond& beyond) {
-  for (std::optional<Point>* point : {&beyond.before, &beyond.behind}) {
-    if (*point && !(std::isfinite((*point)->x) && std::isfinite((*point)->y))) point->reset();
-  }
-}
+void forget_unknown(Beyond& beyond);
 
 struct TraceOptions {
   double tolerance = 0;

@@ -17,6 +17,31 @@ namespace {
 
 using test::StandardMap;
 
+struct ImageDistances {
+  double worst, optimal_points;  // the first in tolerances
+};
+
+// How far the image of a curve that ends at 2 pi is from its polygon, by `parts` - 1 points of each segment.
+ImageDistances distances_of_image(const PlanarMap& map, int iterates, const CurveFunction& curve,
+                                  const CurveImage& image, double tolerance, int parts) {
+  ImageDistances result{0, 0};
+  for (std::size_t i = 0; i < image.points.size(); ++i) {
+    const bool last = i + 1 == image.points.size();
+    const double from = image.parameters[i], to = last ? 2 * std::numbers::pi : image.parameters[i + 1];
+    double most = 0;
+    for (int j = 1; j < parts; ++j) {
+      const double t = from + (to - from) * j / parts;
+      Point point;
+      curve({&t, 1}, {&point, 1});
+      map.iterate({&point, 1}, iterates);
+      most = std::max(most, distance_to_segment(point, image.points[i], image.points[last ? 0 : i + 1]));
+    }
+    result.worst = std::max(result.worst, most / tolerance);
+    result.optimal_points += std::sqrt(most / tolerance);
+  }
+  return result;
+}
+
 // The circle with this radius about (pi, 0) under the map.
 TEST(ImageOf, SmoothCurveMeetsTheTolerance) {
   const StandardMap map(1.2);
@@ -30,21 +55,7 @@ TEST(ImageOf, SmoothCurveMeetsTheTolerance) {
     const ImageOptions options{.tolerance = 1e-5};
     const CurveImage image = image_of(map, iterates, circle, corners, options);
     EXPECT_TRUE(image.diagnostics.empty());
-    double worst = 0, optimal = 0;
-    for (std::size_t i = 0; i < image.points.size(); ++i) {
-      const bool last = i + 1 == image.points.size();
-      const double from = image.parameters[i], to = last ? corners[1] : image.parameters[i + 1];
-      double most = 0;
-      for (int j = 1; j < 16; ++j) {
-        const double t = from + (to - from) * j / 16;
-        Point point;
-        circle({&t, 1}, {&point, 1});
-        map.iterate({&point, 1}, iterates);
-        most = std::max(most, distance_to_segment(point, image.points[i], image.points[last ? 0 : i + 1]));
-      }
-      worst = std::max(worst, most / options.tolerance);
-      optimal += std::sqrt(most / options.tolerance);
-    }
+    const auto [worst, optimal] = distances_of_image(map, iterates, circle, image, options.tolerance, 16);
     EXPECT_LE(worst, 1) << iterates;
     EXPECT_LE(static_cast<double>(image.points.size()), 1.3 * optimal) << iterates;
     // Area is preserved; the polygon inscribed in the curve misses length times 2/3 of the tolerance at most.
@@ -69,18 +80,7 @@ TEST(ImageOf, FoldsBesideTheStartOfACircleAreFound) {
       }
     };
     const CurveImage image = image_of(map, c.iterates, circle, corners, {.tolerance = c.tolerance});
-    double worst = 0;
-    for (std::size_t i = 0; i < image.points.size(); ++i) {
-      const bool last = i + 1 == image.points.size();
-      const double from = image.parameters[i], to = last ? corners[1] : image.parameters[i + 1];
-      for (int j = 1; j < 64; ++j) {
-        const double t = from + (to - from) * j / 64;
-        Point point;
-        circle({&t, 1}, {&point, 1});
-        map.iterate({&point, 1}, c.iterates);
-        worst = std::max(worst, distance_to_segment(point, image.points[i], image.points[last ? 0 : i + 1]));
-      }
-    }
+    const double worst = c.tolerance * distances_of_image(map, c.iterates, circle, image, c.tolerance, 64).worst;
     EXPECT_LE(worst, c.tolerance) << c.k << ' ' << c.radius << ' ' << c.tolerance;
     EXPECT_LE(image.points.size(), 120U) << c.k << ' ' << c.radius << ' ' << c.tolerance;
   }
