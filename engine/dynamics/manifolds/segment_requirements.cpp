@@ -20,7 +20,7 @@ SegmentBounds bounds_for(const TraceOptions& options) {
 double bend_between(Point a, Point b, Point c) {
   const std::array<Point, 3> points{a, b, c};
   std::array<double, 2> lengths;
-  double bend;
+  double bend = 0;
   turns_along(points.data(), lengths.size(), lengths.data(), &bend);
   return bend;
 }
