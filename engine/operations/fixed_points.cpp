@@ -17,7 +17,7 @@ namespace {
 
 struct FixedPointsHow : FixedPointOptions {
   std::optional<Rectangle> box{};
-  int turns = 0, max_grid = 384;
+  int max_grid = 384;
   std::optional<double> seconds{};
 };
 
@@ -140,7 +140,8 @@ constexpr const char* not_isolated_remark =
 Outcome run_fixed_points(std::span<const Input> inputs, const Options& options, const Context& context) {
   const System& system = *system_of(inputs).system;
   FixedPointsHow how = fixed_points_options().how(options);
-  how.shift = shift_by(how.turns, system);
+  const Point shift = shift_by(how.turns, system);
+  how.lattice = system.lattice;
   if (how.max_grid < how.grid) {
     throw UsageError("option \"max_grid\" has to be at least option \"grid\", which is " + std::to_string(how.grid));
   }
@@ -154,7 +155,7 @@ Outcome run_fixed_points(std::span<const Input> inputs, const Options& options, 
   Outcome outcome = outcome_of(std::move(found), options);
   if (!isolated) outcome.remarks.emplace_back(not_isolated_remark);
   outcome.chosen.push_back({"box", box});
-  outcome.chosen.push_back({"shift", how.shift});
+  outcome.chosen.push_back({"shift", shift});
   return outcome;
 }
 
@@ -167,6 +168,7 @@ Operation fixed_points_operation() {
   operation.summary =
       "Finds the fixed and periodic points of a map, or of a flow's Poincare map, in a box, with their multipliers, "
       "residues and types.";
+  operation.revision = 2;  // least periods make whole turns; points about to bifurcate are found once
   operation.compares = false;
   operation.inputs = {{"system", InputKind::system, "the system whose points they are"}};
   operation.options = fixed_points_options().specs();

@@ -133,8 +133,8 @@ Point saddle_of(const GrowHow& how, const System& system) {
   if (is_of_tangle(how, system)) return system.connection->saddle(how.side);
   std::vector<Point> saddles;
   std::string positions;
-  for (const FixedPoint& point :
-       find_fixed_points(*system.map, system.window, {.period = how.period, .shift = shift_by(how.turns, system)})) {
+  const FixedPointOptions wanted{.period = how.period, .turns = how.turns, .lattice = system.lattice};
+  for (const FixedPoint& point : find_fixed_points(*system.map, system.window, wanted)) {
     const bool is_saddle = point.kind == FixedPointKind::saddle || point.kind == FixedPointKind::inverse_saddle ||
                            point.kind == FixedPointKind::reversing_saddle;
     if (!is_saddle || point.period != how.period) continue;
@@ -265,7 +265,7 @@ Outcome run_grow(std::span<const Input> inputs, const Options& options, const Co
 Operation grow_operation() {
   Operation operation;
   operation.name = "grow";
-  operation.revision = 4;  // points are denser where a fold lies at an end
+  operation.revision = 5;  // saddles of least period make whole turns
   operation.title = "a branch of the stable or unstable manifold of a saddle";
   operation.summary =
       "Grows a branch of the stable or unstable manifold of a saddle of a map, or of a flow's Poincare map, to a "

@@ -31,7 +31,8 @@ py::tuple near(const System& system, const py::object& guess, int period, int tu
   options.period = period;
   const double extent = std::max(system.window.width(), system.window.height());
   if (extent > 0) options.extent = extent;
-  options.shift = {turns * system.lattice.x, turns * system.lattice.y};
+  options.turns = turns;
+  options.lattice = system.lattice;
   if (turns != 0 && system.lattice == Point{}) {
     throw UsageError("system " + system.info.name + " does not repeat itself after a shift; turns has to be 0");
   }

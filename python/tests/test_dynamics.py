@@ -77,6 +77,8 @@ def test_fixed_points():
     with pytest.raises(lober.UsageError, match="does not repeat"):
         lober.fixed_points("henon", turns=1)
     assert len(lober.fixed_points("henon", box=(5, 5, 6, 6))) == 0
+    two = lober.fixed_point(lober.system("standard", {"K": 1.2}), (0, 3.1), period=2, turns=1)
+    assert two.period == 2 and two.residue == pytest.approx(0.36)
     five = lober.fixed_points("standard", box=(-0.1, 0, 6.1, 6), period=5, turns=2)
     assert len(five) == 10 and five.index_of_box == 0 and five.box == (-0.1, 0, 6.1, 6)
     for point in five:

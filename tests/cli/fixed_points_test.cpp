@@ -50,6 +50,16 @@ TEST_F(FixedPointsProgram, MayTurnRoundTheCylinder) {
   EXPECT_NE(read("points.csv").find(",1,\"centre\",0.3"), std::string::npos) << read("points.csv");
 }
 
+TEST_F(FixedPointsProgram, HalfATurnIsNoPeriod) {
+  const Json two = points({"standard", "--param", "K=1.2", "--period", "2", "--turns", "1", "--box", "-1,3,5.5,3.3"});
+  EXPECT_EQ(two["search"]["settled"], true);
+  ASSERT_EQ(two["points"].size(), 2U);
+  for (const Json& point : two["points"]) {
+    EXPECT_EQ(point["period"], 2);
+    EXPECT_NEAR(point["residue"].get<double>(), 0.36, 1e-13);  // K^2 / 4
+  }
+}
+
 // Without a kick each point of the axis is fixed.
 TEST_F(FixedPointsProgram, SaysWherePointsAreNotIsolated) {
   const Outcome text = run({"fixed-points", "standard", "--param", "K=0"});

@@ -24,7 +24,7 @@ class DisplacementGrid {
       map.iterate(std::span(gaps_).subspan(begin, end - begin), options.period);
       for (std::size_t k = begin; k < end; ++k) {
         const Point z = grid_point(k);
-        gaps_[k] = {gaps_[k].x - z.x - options.shift.x, gaps_[k].y - z.y - options.shift.y};
+        gaps_[k] = {gaps_[k].x - z.x - options.shift().x, gaps_[k].y - z.y - options.shift().y};
       }
     });
   }

@@ -4,7 +4,6 @@
 #include <charconv>
 #include <cmath>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -12,8 +11,8 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/text.hpp"
-#include "engine/dynamics/fixed_points/classify.hpp"
 #include "engine/dynamics/fixed_points/displacement_grid.hpp"
+#include "engine/dynamics/fixed_points/least_period.hpp"
 #include "engine/dynamics/fixed_points/newton.hpp"
 #include "engine/dynamics/fixed_points/scan.hpp"
 #include "engine/dynamics/maps/plane.hpp"
@@ -27,43 +26,10 @@ namespace {
 
 void require(const FixedPointOptions& options) {
   if (options.period < 1) throw UsageError("the period of a fixed point must be at least 1");
+  if (options.turns != 0 && options.lattice == Point{}) {
+    throw UsageError("the map of these fixed points does not repeat itself after a shift; turns have to be 0");
+  }
   if (options.grid < 2) throw UsageError("the grid of a scan for fixed points must have at least 2 points a side");
-}
-
-/// The points by their least periods, all with one call for each divisor of the period: calls may cost much.
-std::vector<FixedPoint> describe(const PlanarMap& map, std::span<const Point> at, const FixedPointOptions& options) {
-  std::vector<FixedPoint> result(at.size());
-  std::vector<std::size_t> open(at.size());
-  std::iota(open.begin(), open.end(), std::size_t{0});
-  for (int period = 1; period <= options.period && !open.empty(); ++period) {
-    if (options.period % period != 0) continue;
-    const double share = static_cast<double>(period) / options.period;
-    const Point shift{share * options.shift.x, share * options.shift.y};
-    std::vector<Point> images;
-    images.reserve(open.size());
-    for (const std::size_t k : open) images.push_back(at[k]);
-    std::vector<Matrix2> derivatives(open.size());
-    map.iterate_with_derivatives(images, period, derivatives);
-    std::vector<std::size_t> left;
-    for (std::size_t i = 0; i < open.size(); ++i) {
-      const Point from = at[open[i]];
-      const double residual = length({images[i].x - from.x - shift.x, images[i].y - from.y - shift.y});
-      if (period < options.period && !(residual <= 1e-8 * size_at(from, options.extent))) {
-        left.push_back(open[i]);
-        continue;
-      }
-      FixedPoint& point = result[open[i]];
-      point.period = period;
-      point.derivative = derivatives[i];
-      point.residual = residual;
-    }
-    open = std::move(left);
-  }
-  for (std::size_t k = 0; k < at.size(); ++k) {
-    result[k].at = at[k];
-    classify(result[k]);
-  }
-  return result;
 }
 
 bool in_box(const Rectangle& box, Point z) {
@@ -111,14 +77,52 @@ std::string_view name(FixedPointKind kind) {
 
 FixedPoint find_fixed_point(const PlanarMap& map, Point guess, const FixedPointOptions& options) {
   require(options);
-  const NewtonEnd end = newton(map, guess, options, 0.5 * size_at(guess, options.extent));
+  const double reach = 0.5 * size_at(guess, options.extent);
+  const NewtonEnd end = newton(map, guess, options, reach);
   if (!end.converged) {
+    // Where a point of a smaller period is about to bifurcate, its own equation is the one that leads there.
+    for (int period = 1; period < options.period && is_finite(end.at); ++period) {
+      const std::optional<FixedPointOptions> smaller = of_divisor(options, period);
+      if (!smaller) continue;
+      const NewtonEnd there = newton(map, end.at, *smaller, reach);
+      if (there.converged) return describe(map, {&there.at, 1}, *smaller)[0];
+    }
     throw DataError("no point of period " + std::to_string(options.period) + " found from " + format_point(guess) +
                     (std::isfinite(end.residual) ? ": Newton's method ended at " + format_point(end.at) + ", off by " +
                                                        format_number(end.residual)
                                                  : ": it has no image under the map"));
   }
   return describe(map, {&end.at, 1}, options)[0];
+}
+
+void detail::add_points(std::vector<FixedPoint>& points, std::span<const FixedPoint> more, double extent) {
+  for (const FixedPoint& point : more) {
+    throw_if_cancelled();
+    const auto same = std::find_if(points.begin(), points.end(), [&](const FixedPoint& other) {
+      return length(other.at - point.at) <= 1e-6 * size_at(other.at, extent);
+    });
+    if (same == points.end()) {
+      points.push_back(point);
+    } else if (std::tuple(point.period, point.residual) < std::tuple(same->period, same->residual)) {
+      *same = point;
+    }
+  }
+  std::sort(points.begin(), points.end(), [](const FixedPoint& a, const FixedPoint& b) {
+    return std::tuple(a.period, a.at.x, a.at.y) < std::tuple(b.period, b.at.x, b.at.y);
+  });
+}
+
+std::vector<FixedPoint> detail::scan_for_smaller_periods(const PlanarMap& map, const Rectangle& box,
+                                                         const FixedPointOptions& options, const HalfWayMap* half_way,
+                                                         const SearchAllowance* allowance) {
+  std::vector<FixedPoint> points;
+  for (int period = 1; period < options.period; ++period) {
+    const std::optional<FixedPointOptions> smaller = of_divisor(options, period);
+    if (!smaller || (allowance && !allowance->has(0))) continue;
+    const DisplacementGrid grid(map, box, *smaller);
+    add_points(points, scan(map, box, *smaller, grid, half_way, allowance), std::min(options.extent, extent_of(box)));
+  }
+  return points;
 }
 
 std::vector<FixedPoint> detail::scan(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& wanted,
@@ -162,7 +166,9 @@ std::vector<FixedPoint> detail::scan(const PlanarMap& map, const Rectangle& box,
                          at.push_back(ends[k].at);
                        }
                        const std::vector<FixedPoint> points = describe(map, at, options);
-                       for (std::size_t k = 0; k < which.size(); ++k) found[which[k]] = points[k];
+                       for (std::size_t k = 0; k < which.size(); ++k) {
+                         if (in_box(box, points[k].at)) found[which[k]] = points[k];
+                       }
                      });
       throw_if_cancelled();
       for (std::size_t k = round; k < std::min(round + seeds_a_round, seeds.size()); ++k) {
@@ -180,22 +186,11 @@ std::vector<FixedPoint> detail::scan(const PlanarMap& map, const Rectangle& box,
     followed = halves.all_have_images();
   }
   if (!followed) follow(map, grid.seeds());
-  std::vector<FixedPoint> result;
+  std::vector<FixedPoint> all, result;
   for (const std::optional<FixedPoint>& point : found) {
-    throw_if_cancelled();
-    if (!point) continue;
-    const auto same = std::find_if(result.begin(), result.end(), [&](const FixedPoint& other) {
-      return length({other.at.x - point->at.x, other.at.y - point->at.y}) <= 1e-6 * size_at(other.at, options.extent);
-    });
-    if (same == result.end()) {
-      result.push_back(*point);
-    } else if (point->residual < same->residual) {
-      *same = *point;
-    }
+    if (point) all.push_back(*point);
   }
-  std::sort(result.begin(), result.end(), [](const FixedPoint& a, const FixedPoint& b) {
-    return std::tuple(a.period, a.at.x, a.at.y) < std::tuple(b.period, b.at.x, b.at.y);
-  });
+  add_points(result, all, options.extent);
   return result;
 }
 
@@ -210,6 +205,8 @@ std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Rectangle&
   const DisplacementGrid grid(map, box, options);
   const std::unique_ptr<HalfWayMap> half_way = half_way_map(map);
   std::vector<FixedPoint> result = scan(map, box, options, grid, half_way.get());
+  add_points(result, scan_for_smaller_periods(map, box, options, half_way.get()),
+             std::min(options.extent, extent_of(box)));
   if (result.empty()) {
     const auto [point, least] = grid.nearest();
     throw DataError(

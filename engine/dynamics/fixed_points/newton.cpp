@@ -21,6 +21,13 @@ Point newton_step(const Displacement& here, bool singular) {
   return {(a.xy * here.gap.y - a.yy * here.gap.x) / d, (a.yx * here.gap.x - a.xx * here.gap.y) / d};
 }
 
+// A residual far above what rounding or an integration leaves, whose step would lead far away, is one of a slow
+// approach to a degenerate point.
+bool is_near(const NewtonEnd& end, double size) {
+  constexpr double small = 1e-7, rounding = 1e-10, close = 1e-3;
+  return end.residual <= small * size && (end.residual <= rounding * size * (1 + end.norm) || end.step <= close * size);
+}
+
 // Newton's method from one guess, one displacement at a time.
 class Iteration {
  public:
@@ -46,11 +53,11 @@ class Iteration {
     }
     if (round_ == 0) {
       z_ = next_;
-      best_ = {z_, residual, false};
+      best_ = {z_, residual};
     } else if (close_ || better || accepted_) {
       z_ = next_;
       if (better) {
-        best_ = {z_, residual, false};
+        best_ = {z_, residual};
       } else if (!std::isfinite(residual) || round_ > min_rounds) {
         ended_ = true;
         return;
@@ -90,6 +97,10 @@ class Iteration {
     accepted_ = false;
     step_ = newton_step(here, singular_);
     const double size = length(step_);
+    if (z_ == best_.at) {
+      best_.step = size;
+      best_.norm = norm_of(here.derivative);
+    }
     ended_ = round_ == max_rounds || !(best_.residual > 0) || !std::isfinite(size);
     close_ = size <= 1e-8 * size_at(z_, extent_);
     if (size > reach) step_ = {step_.x * reach / size, step_.y * reach / size};
@@ -116,7 +127,7 @@ void mark_converged(const PlanarMap& map, const FixedPointOptions& options, std:
   std::vector<Point> around;
   for (std::size_t k = 0; k < ends.size(); ++k) {
     ends[k] = iterations[k].best();
-    if (iterations[k].stalled() || !(ends[k].residual <= 1e-7 * size_at(ends[k].at, options.extent))) continue;
+    if (iterations[k].stalled() || !is_near(ends[k], size_at(ends[k].at, options.extent))) continue;
     candidates.push_back(k);
     const Point z = ends[k].at;
     const double h = 1e-6 * size_at(z, options.extent);
@@ -163,7 +174,7 @@ std::vector<NewtonEnd> newton(const PlanarMap& map, std::span<const Point> guess
       for (std::size_t i = 0; i < some->size(); ++i) {
         Iteration& iteration = iterations[(*some)[i]];
         const Point from = iteration.next();
-        const Point gap{points[i].x - from.x - options.shift.x, points[i].y - from.y - options.shift.y};
+        const Point gap{points[i].x - from.x - options.shift().x, points[i].y - from.y - options.shift().y};
         iteration.take({gap, derivatives[i]}, reach);
       }
     }

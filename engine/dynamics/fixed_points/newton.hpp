@@ -23,12 +23,14 @@ inline double size_at(Point z, double extent) {
 struct NewtonEnd {
   Point at;
   double residual = 0;
+  double step = 0;  ///< length of the step from there
+  double norm = 0;  ///< the size of the derivative there
   bool converged = false;
 };
 
 /// Damped, with steps no longer than `reach`, until the residual falls no further, after nine evaluations at least: the
-/// point of the least residual. Converged: that is small, and the map is defined all round the point. A negative period
-/// stands for iterates of the inverse.
+/// point of the least residual. Converged: that is small, and so is the step from there, or the residual is what
+/// rounding leaves; and the map is defined all round the point. A negative period stands for iterates of the inverse.
 NewtonEnd newton(const PlanarMap& map, Point guess, const FixedPointOptions& options, double reach);
 /// The same from many guesses, whose images are asked for together: flows follow several points at a time. An iteration
 /// that leaves `within`, if that is not null, has not converged: outside, images may take as long as they like.

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "engine/base/stopwatch.hpp"
@@ -54,6 +55,17 @@ class SearchAllowance {
 [[nodiscard]] std::vector<FixedPoint> scan(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& options,
                                            const DisplacementGrid& grid, const HalfWayMap* half_way,
                                            const SearchAllowance* allowance = nullptr);
+
+/// Adds those that are not among the points yet, sorted by period, x, y; where two are the same, the one of the smaller
+/// period and residual stays. Errors are judged as FixedPointOptions::extent says.
+void add_points(std::vector<FixedPoint>& points, std::span<const FixedPoint> more, double extent);
+
+/// The points whose period divides options.period, each found by the equation for its own: that for all of
+/// options.period is degenerate where such a point is about to bifurcate, and Newton's method may not converge to it.
+[[nodiscard]] std::vector<FixedPoint> scan_for_smaller_periods(const PlanarMap& map, const Rectangle& box,
+                                                               const FixedPointOptions& options,
+                                                               const HalfWayMap* half_way,
+                                                               const SearchAllowance* allowance = nullptr);
 
 /// Whether the degenerate ones among these points are not isolated, but lie on a curve or in an area of fixed points:
 /// Newton's method then ends at further ones between them. `cell`: the diagonal of a cell of the scan that found them.

@@ -64,7 +64,7 @@ std::optional<int> index_of_edge(const PlanarMap& map, const Rectangle& box, con
     std::vector<Sample> samples(ts.size());
     for (std::size_t k = 0; k < ts.size(); ++k) {
       const Point z = on_edge(box, ts[k]);
-      samples[k] = {ts[k], {points[k].x - z.x - options.shift.x, points[k].y - z.y - options.shift.y}};
+      samples[k] = {ts[k], {points[k].x - z.x - options.shift().x, points[k].y - z.y - options.shift().y}};
     }
     return samples;
   };
@@ -153,6 +153,7 @@ FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
     const std::string side = std::to_string(each.grid);
     return "grid of " + side + " x " + side;
   };
+  std::vector<FixedPoint> of_smaller_periods;  // by the first scans: finer ones mend what those do not resolve
   constexpr int coarsest_grid = 12;
   while (each.grid > coarsest_grid && work_of_grid() > allowance.part(0.25))
     each.grid = std::max(each.grid / 2, coarsest_grid);
@@ -164,6 +165,8 @@ FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
     }
     const DisplacementGrid grid(map, box, each);
     std::vector<FixedPoint> found = scan(map, box, each, grid, half_way.get(), &allowance);
+    if (first) of_smaller_periods = scan_for_smaller_periods(map, box, each, half_way.get(), &allowance);
+    add_points(found, of_smaller_periods, std::min(each.extent, extent_of(box)));
     if (!allowance.has(0)) {  // the seeds may not be through: of two scans the one that found more
       search.out_of_work = true;
       if (!first && found.size() < search.points.size()) return search;

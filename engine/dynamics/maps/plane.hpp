@@ -37,6 +37,11 @@ inline double determinant(const Matrix2& a) {
   return a.xx * a.yy - a.xy * a.yx;
 }
 
+/// The root of the sum of the squares of the entries.
+inline double norm_of(const Matrix2& a) {
+  return std::sqrt(a.xx * a.xx + a.xy * a.xy + a.yx * a.yx + a.yy * a.yy);
+}
+
 inline Matrix2 inverse(const Matrix2& a) {
   const double d = determinant(a);
   return {a.yy / d, -a.xy / d, -a.yx / d, a.xx / d};

@@ -165,7 +165,7 @@ Point point_of(const double (&numbers)[2]) {
   return {numbers[0], numbers[1]};
 }
 
-bool is_finite(const lober_connection& given) {
+bool has_finite_numbers(const lober_connection& given) {
   bool finite = all_finite(given.from) && all_finite(given.u_direction) && all_finite(given.to) &&
                 all_finite(given.s_direction) && (given.has_bip == 0 || all_finite(given.bip));
   for (std::size_t k = 0; k < given.corner_count; ++k) finite = finite && all_finite(given.corners[k]);
@@ -180,7 +180,7 @@ void set_connections(System& made, const lober_system& system, std::span<const d
     const std::string where = std::string("system ") + system.name + ": connection " + std::to_string(k);
     if (system.connection(values.data(), k, &found) != 0) throw DataError(where + " is not given for these parameters");
     if (found.corner_count > LOBER_MAX_CORNERS) throw DataError(where + " has too many corners");
-    if (!is_finite(found)) throw DataError(where + " has a number that is not finite for these parameters");
+    if (!has_finite_numbers(found)) throw DataError(where + " has a number that is not finite for these parameters");
     Connection connection{point_of(found.from), point_of(found.u_direction), point_of(found.to),
                           point_of(found.s_direction)};
     if (found.has_bip != 0) connection.bip = point_of(found.bip);

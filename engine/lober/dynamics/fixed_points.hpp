@@ -32,7 +32,8 @@ enum class FixedPointKind {
 /// A fixed or periodic point of a map.
 struct FixedPoint {
   Point at;  ///< the point
-  /// The least n with f^n(at) = at + (the shift asked for).
+  /// The least n with f^n(at) = at + a multiple of the lattice, of which those that make up the period that was asked
+  /// for give the shift that was asked for.
   int period = 1;
   /// Derivative of f^period.
   Matrix2 derivative;
@@ -50,7 +51,10 @@ struct FixedPoint {
 struct FixedPointOptions {
   /// The points searched for satisfy f^period(z) = z + shift.
   int period = 1;
-  Point shift{};  ///< shift that the map adds, such as a multiple of 2 pi
+  int turns = 0;    ///< the shift is that many times `lattice`
+  Point lattice{};  ///< the vector after which the map repeats itself (System::lattice); a multiple of 2 pi, say
+  /// The shift that f^period adds.
+  [[nodiscard]] Point shift() const { return {turns * lattice.x, turns * lattice.y}; }
   /// Errors are judged, and steps limited, relative to the smaller of this and 1 + |z|. In searches of a box it is the
   /// extent of the box.
   double extent = std::numeric_limits<double>::infinity();
@@ -63,7 +67,7 @@ struct FixedPointOptions {
 
 /// Newton's method from `guess`, damped, until rounding (or the tolerance of the integration) stops it. Throws
 /// DataError with the point where it ended when it does not converge, UsageError for a period or a grid that is not
-/// positive.
+/// positive, and for turns of a map without a lattice.
 [[nodiscard]] LOBER_API FixedPoint find_fixed_point(const PlanarMap& map, Point guess,
                                                     const FixedPointOptions& options = {});
 

@@ -71,7 +71,7 @@ TEST(FixedPoints, OfMapsByFormula) {
   EXPECT_NEAR(std::abs(centre.multipliers[0]), 1, 1e-14);
   EXPECT_NEAR(2 * centre.multipliers[0].real(), 2 - k, 1e-14);
   // A rotation by 2 pi a step is fixed modulo the lattice.
-  const FixedPoint rotation = find_fixed_point(*standard.map, {0.2, 6}, {.shift = standard.lattice});
+  const FixedPoint rotation = find_fixed_point(*standard.map, {0.2, 6}, {.turns = 1, .lattice = standard.lattice});
   EXPECT_NEAR(rotation.at.y, 2 * std::numbers::pi, 1e-14);
   EXPECT_EQ(rotation.kind, FixedPointKind::saddle);
 
@@ -214,6 +214,64 @@ TEST(FixedPointSearch, FindsAllOfAHorseshoe) {
     EXPECT_EQ(search.points.size(), std::size_t{1} << period) << period;
     EXPECT_TRUE(search.settled) << period;
     for (const FixedPoint& point : search.points) EXPECT_EQ(period % point.period, 0);
+  }
+}
+
+// (0, pi) goes to (pi, pi) and that to (2 pi, pi): half a turn each, which is not a symmetry of the map.
+TEST(FixedPoints, APeriodMakesWholeTurns) {
+  const double k = 1.2, pi = std::numbers::pi;
+  const System standard = make_system("standard", {{"K", k}});
+  for (const int times : {1, 2, 3, -1}) {  // period 2 once, twice, ... over
+    SCOPED_TRACE(times);
+    const int turns = times < 0 ? -1 : times;
+    const double y = times < 0 ? -pi : pi;
+    const FixedPointOptions options{.period = 2 * std::abs(times), .turns = turns, .lattice = standard.lattice};
+    const FixedPointSearch search = search_fixed_points(*standard.map, Box::of({-1, y - 0.1}, {5.5, y + 0.1}), options);
+    EXPECT_TRUE(search.settled);
+    ASSERT_EQ(search.points.size(), 2U);
+    for (const FixedPoint& point : search.points) {
+      EXPECT_EQ(point.period, 2);
+      EXPECT_EQ(point.kind, FixedPointKind::centre);
+      EXPECT_NEAR(point.at.y, y, 1e-14);
+      EXPECT_NEAR(residue(point), k * k / 4, 1e-13);
+    }
+    const FixedPoint near = find_fixed_point(*standard.map, {0.1, y}, options);
+    EXPECT_EQ(near.period, 2);
+    EXPECT_NEAR(residue(near), k * k / 4, 1e-13);
+  }
+  EXPECT_THROW((void)search_fixed_points(*standard.map, standard.window, {.turns = 1}), UsageError);
+}
+
+// Where a point of a smaller period is about to bifurcate, f^period(z) - z grows with the cube of the distance, and
+// Newton's method ends some 1e-5 away from it, or nowhere.
+TEST(FixedPointSearch, PointsAboutToBifurcateAreFoundOnce) {
+  struct Case {
+    const char* system;
+    const char* parameter;
+    double value;
+    int period;
+    Point at;  // of period 1
+    std::size_t points;
+  };
+  for (const Case& c :
+       {Case{"henon", "k", 3, 2, {-1, -1}, 2}, Case{"henon", "k", 3, 4, {-1, -1}, 10},
+        Case{"henon", "k", 0, 4, {0, 0}, 2}, Case{"henon", "k", 3 + 1e-8, 2, {-1 - 2.5e-9, -1 - 2.5e-9}, 4},
+        Case{"standard", "K", 4, 2, {std::numbers::pi, 0}, 2}}) {
+    SCOPED_TRACE(std::string(c.system) + " " + std::to_string(c.value) + ", period " + std::to_string(c.period));
+    const System system = make_system(c.system, {{c.parameter, c.value}});
+    const FixedPointSearch search = search_fixed_points(*system.map, system.window, {.period = c.period});
+    EXPECT_TRUE(search.settled);
+    EXPECT_EQ(search.points.size(), c.points);
+    int found = 0;
+    for (const FixedPoint& point : search.points) {
+      if (point.period != 1 || length(point.at - c.at) > 1e-12) continue;
+      ++found;
+      EXPECT_LT(point.residual, 2e-15);
+    }
+    EXPECT_EQ(found, 1);
+    const FixedPoint near = find_fixed_point(*system.map, {c.at.x - 1e-6, c.at.y + 1e-6}, {.period = c.period});
+    EXPECT_EQ(near.period, 1);
+    EXPECT_LT(length(near.at - c.at), 1e-12);
   }
 }
 

@@ -1,0 +1,107 @@
+#include "engine/dynamics/fixed_points/least_period.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+#include "engine/dynamics/fixed_points/classify.hpp"
+#include "engine/dynamics/fixed_points/newton.hpp"
+#include "engine/dynamics/maps/plane.hpp"
+
+namespace lober::detail {
+namespace {
+
+/// How far a point may be from the one that Newton's method was after: some of the steps that are left there, each of
+/// which comes nearer by a part only where that point is degenerate.
+double uncertainty(const FixedPoint& point, double size) {
+  constexpr double steps = 8, most = 1e-3;
+  const Matrix2 a{point.derivative.xx - 1, point.derivative.xy, point.derivative.yx, point.derivative.yy - 1};
+  const double norm = norm_of(a);
+  const double rounding = (1 + norm) * std::numeric_limits<double>::epsilon() * size;
+  const double left = std::max(point.residual, rounding) * norm / std::abs(determinant(a));
+  return std::min(most * size, steps * left);  // `most` where the derivative is 1: 0 / 0 compares as false
+}
+
+/// As points of this very period.
+std::vector<FixedPoint> as_of_period(const PlanarMap& map, std::span<const Point> at,
+                                     const FixedPointOptions& options) {
+  std::vector<Point> images(at.begin(), at.end());
+  std::vector<Matrix2> derivatives(at.size());
+  map.iterate_with_derivatives(images, options.period, derivatives);
+  std::vector<FixedPoint> result(at.size());
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    result[k].at = at[k];
+    result[k].period = options.period;
+    result[k].derivative = derivatives[k];
+    result[k].residual = length(images[k] - at[k] - options.shift());
+  }
+  return result;
+}
+
+/// The point of a smaller period that this one is to within its uncertainty: also that of its own period, which is
+/// found more exactly than by all of options.period.
+std::optional<FixedPoint> of_smaller_period(const PlanarMap& map, const FixedPoint& point,
+                                            const FixedPointOptions& options) {
+  constexpr double certain = 1e-8, exact = 1e-14;
+  const double size = size_at(point.at, options.extent);
+  const double radius = std::max(certain * size, uncertainty(point, size));
+  const bool all_of_it = point.period == options.period;
+  if (radius <= certain * size && (all_of_it || point.residual <= exact * size)) return std::nullopt;
+  const Point corner{radius, radius};
+  const Rectangle near = Rectangle::of(point.at - corner, point.at + corner);
+  for (int period = 1; period <= point.period && period < options.period; ++period) {
+    if (point.period % period != 0) continue;
+    const std::optional<FixedPointOptions> smaller = of_divisor(options, period);
+    if (!smaller) continue;
+    const NewtonEnd end = newton(map, {&point.at, 1}, *smaller, radius, &near)[0];
+    if (end.converged) return as_of_period(map, {&end.at, 1}, *smaller)[0];
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<FixedPointOptions> of_divisor(const FixedPointOptions& options, int period) {
+  const std::int64_t turns = static_cast<std::int64_t>(options.turns) * period;
+  if (options.period % period != 0 || turns % options.period != 0) return std::nullopt;
+  FixedPointOptions smaller = options;
+  smaller.period = period;
+  smaller.turns = static_cast<int>(turns / options.period);
+  return smaller;
+}
+
+std::vector<FixedPoint> describe(const PlanarMap& map, std::span<const Point> at, const FixedPointOptions& options) {
+  constexpr double same = 1e-8;
+  std::vector<FixedPoint> result(at.size());
+  std::vector<std::size_t> open(at.size());
+  std::iota(open.begin(), open.end(), std::size_t{0});
+  // One call for each divisor of the period: calls may cost much.
+  for (int period = 1; period <= options.period && !open.empty(); ++period) {
+    const std::optional<FixedPointOptions> smaller = of_divisor(options, period);
+    if (!smaller) continue;
+    std::vector<Point> from;
+    from.reserve(open.size());
+    for (const std::size_t k : open) from.push_back(at[k]);
+    const std::vector<FixedPoint> points = as_of_period(map, from, *smaller);
+    std::vector<std::size_t> left;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      if (period < options.period && !(points[i].residual <= same * size_at(from[i], options.extent))) {
+        left.push_back(open[i]);
+      } else {
+        result[open[i]] = points[i];
+      }
+    }
+    open = std::move(left);
+  }
+  for (FixedPoint& point : result) {
+    if (const std::optional<FixedPoint> smaller = of_smaller_period(map, point, options)) point = *smaller;
+    classify(point);
+  }
+  return result;
+}
+
+}  // namespace lober::detail
