@@ -133,7 +133,7 @@ Outcome run_escape(std::span<const Input> inputs, const Options& options, const 
 Operation escape_operation() {
   Operation operation;
   operation.name = "escape";
-  operation.revision = 5;  // points are denser where a fold lies at an end
+  operation.revision = 6;  // bars where crossings stay where the polygons have them
   operation.title = "escape from a potential well by its bottlenecks, crossing by crossing";
   operation.summary =
       "Computes the escape from a potential well: the periodic orbits of its bottlenecks, their tubes on a section, "

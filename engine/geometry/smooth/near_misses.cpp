@@ -45,9 +45,13 @@ struct ArcPair {
     if (!(low < high)) return 0;
     const double apart = from + ((low + high) / 2 - begin) / (end - begin) * (to - from);
     if (apart == 0) return 0;
+    // The second arc may be far longer: its part above the first one, and somewhat more, as it is curved.
+    constexpr double more_of_it = 0.125;
+    const double u = (low - begin) / (end - begin), v = (high - begin) / (end - begin), aside = more_of_it * (v - u);
+    const double first = std::clamp(u - aside, 0.0, 1.0), last = std::clamp(v + aside, 0.0, 1.0);
     std::array<double, samples + 1> at{}, depth{};
     for (std::size_t k = 0; k <= samples; ++k) {
-      const Point point = arc2.at(static_cast<double>(k) / samples);
+      const Point point = arc2.at(first + static_cast<double>(k) / samples * (last - first));
       const Point there{from2.x + point.x, from2.y + point.y};
       at[k] = std::clamp(along(there), 0.0, 1.0);
       double height = arc1.f[5];
@@ -254,13 +258,13 @@ class NearPairs {
 NodeSegments::NodeSegments(std::size_t segments)
     : size_(segments), about_node_((segments + leaf_size_of_arcs - 1) / leaf_size_of_arcs * leaf_size_of_arcs, 0) {}
 
-void NodeSegments::add(double from, double to) {
+void NodeSegments::mark(double from, double to, std::uint8_t about) {
   const auto size = static_cast<std::int64_t>(size_);
   const auto first = static_cast<std::int64_t>(std::floor(std::min(from, to))) - 1;
   const auto last = static_cast<std::int64_t>(std::floor(std::max(from, to))) + 1;
   for (std::int64_t k = first; k <= std::min(last, first + size - 1); ++k) {
     const std::int64_t segment = k >= 0 && k < size ? k : (k % size + size) % size;
-    std::atomic_ref(about_node_[static_cast<std::size_t>(segment)]).store(1, std::memory_order_relaxed);
+    std::atomic_ref(about_node_[static_cast<std::size_t>(segment)]).store(about, std::memory_order_relaxed);
   }
 }
 

@@ -17,7 +17,9 @@ class NodeSegments {
   explicit NodeSegments(std::size_t segments);
   /// Counts the segments from one position (a segment's number and a parameter) to another one, and one more at either
   /// end. Any thread may call it.
-  void add(double from, double to);
+  void add(double from, double to) { mark(from, to, 1); }
+  /// Takes them out again: where a crossing has not been moved, the smooth curves may have any side of each other.
+  void remove(double from, double to) { mark(from, to, 0); }
   /// Nothing is added any more. O(n).
   void join();
   /// The bits of those of a leaf of ArcBoxes that are not about nodes.
@@ -28,6 +30,8 @@ class NodeSegments {
   }
 
  private:
+  void mark(double from, double to, std::uint8_t about);
+
   std::size_t size_;
   Buffer<std::uint8_t> about_node_;  // and behind the last one up to the end of its leaf
   Buffer<std::uint32_t> others_;

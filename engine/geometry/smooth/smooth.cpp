@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numeric>
+#include <span>
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
@@ -44,7 +44,7 @@ class Builder {
       area->error += hidden;
     SmoothAreas smooth;
     smooth.fallback_segments = chord_areas.straight;
-    smooth.fallback_crossings = unmoved_;
+    smooth.fallback_crossings = unmoved_.size() + put_back_.size();
     add(&Areas::c1, chord_areas.c1, smooth);
     add(&Areas::c2, chord_areas.c2, smooth);
     add(&Areas::c1_minus_c2, chord_areas.only1, smooth);
@@ -70,7 +70,7 @@ class Builder {
     }
     at1_.resize(contacts);
     at2_.resize(contacts);
-    std::vector<std::uint32_t> unmoved(graph_.size() / smooth_nodes_a_task + 1);
+    std::vector<std::vector<std::uint32_t>> unmoved(graph_.size() / smooth_nodes_a_task + 1);
     for_each_block(graph_.size(), smooth_nodes_a_task, [&](std::size_t begin, std::size_t end) {
       Buffer<PolygonContact> polygons;
       polygons.reserve(end - begin);
@@ -95,14 +95,14 @@ class Builder {
         for (const std::uint32_t contact : {span.first, span.last}) {
           keep(contact, found[next]);
           moved_[k] |= static_cast<char>(found[next].moved);
-          unmoved[begin / smooth_nodes_a_task] +=
-              polygons[next].sense != PolygonContact::Sense::stays && !found[next].straight && !found[next].moved;
+          if (polygons[next].sense != PolygonContact::Sense::stays && !found[next].straight && !found[next].moved)
+            unmoved[begin / smooth_nodes_a_task].push_back(contact);
           ++next;
           if (span.first == span.last) break;
         }
       }
     });
-    unmoved_ = std::accumulate(unmoved.begin(), unmoved.end(), std::uint64_t{0});
+    for (const std::vector<std::uint32_t>& some : unmoved) unmoved_.insert(unmoved_.end(), some.begin(), some.end());
   }
   void keep(std::uint32_t contact, const SmoothContact& found) {
     const auto position = [](const SmoothPosition& at) { return static_cast<double>(at.segment) + at.u; };
@@ -172,7 +172,6 @@ class Builder {
       if (moved_[k] == 0) continue;
       any = true;
       moved_[k] = 0;
-      ++unmoved_;
       const std::uint32_t contact = graph_.span(k).first;
       const Contact here = graph_.contacts[contact];
       at1_[contact] = here.segment1 + here.t1.hi;
@@ -211,6 +210,13 @@ class Builder {
         add(about2, at2_, enters2(span), leaves2(span), false);
       }
     });
+    for (const auto& contacts : {std::span<const std::uint32_t>(unmoved_), std::span<const std::uint32_t>(put_back_)}) {
+      for (const std::uint32_t contact : contacts) {
+        const double on1 = polygon_position(contact, true), on2 = polygon_position(contact, false);
+        about1.remove(on1, on1);
+        about2.remove(on2, on2);
+      }
+    }
     about1.join();
     about2.join();
     return hidden_area({c1_, boxes1_, about1}, {c2_, boxes2_, about2});
@@ -240,11 +246,11 @@ class Builder {
   SmoothCurve c1_, c2_;
   ArcBoxes boxes1_, boxes2_;
   int exponent_;
-  Buffer<char> moved_;              // by node
-  std::uint64_t unmoved_ = 0;       // crossings that should have been moved
-  Buffer<std::uint32_t> put_back_;  // contacts that have moved, and were put back
-  ArcEnds ends_;                    // by contact
-  Buffer<double> at1_, at2_;        // by contact: numbers of segments and parameters, where it has been moved to
+  Buffer<char> moved_;                  // by node
+  std::vector<std::uint32_t> unmoved_;  // contacts of crossings that should have been moved
+  Buffer<std::uint32_t> put_back_;      // contacts that have moved, and were put back
+  ArcEnds ends_;                        // by contact
+  Buffer<double> at1_, at2_;            // by contact: numbers of segments and parameters, where it has been moved to
 };
 
 }  // namespace

@@ -312,6 +312,44 @@ TEST(Smooth, LobesThatPolygonsMissAreInTheBar) {
   }
 }
 
+// Polygons of unequal segments cross where the circles touch from inside or outside, anywhere but where those cross:
+// crossings stay where they are, and arcs are far longer than the lobe.
+TEST(Smooth, CirclesThatTouchHaveABarForUnequalPoints) {
+  std::mt19937_64 random(1);
+  const auto uniform = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+  double widest = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const int n1 = static_cast<int>(uniform(30, 600)), n2 = static_cast<int>(uniform(30, 600));
+    const double r = std::array{0.3, 0.5, 0.7, 0.9}[static_cast<std::size_t>(k % 4)];
+    const double depth = std::pow(10, uniform(-9, -3)), turn = uniform(0, 2 * pi);
+    const double d = k % 8 < 4 ? 1 - r + depth : 1 + r - depth;
+    const auto circle = [](double x, double y, double radius, int n, double first) {
+      Points points;
+      for (int i = 0; i < n; ++i) {
+        const double angle = 2 * pi * (i + first) / n;
+        points.push_back({x + radius * std::cos(angle), y + radius * std::sin(angle)});
+      }
+      return points;
+    };
+    const double first1 = uniform(0, 1), first2 = uniform(0, 1);
+    const SmoothAreas smooth =
+        smooth_of(circle(0, 0, 1, n1, first1), circle(d * std::cos(turn), d * std::sin(turn), r, n2, first2));
+    const long double x = (static_cast<long double>(d) * d + 1 - static_cast<long double>(r) * r) / (2 * d);
+    const long double y = std::sqrt((1 - x) * (1 + x)), a1 = std::atan2(y, x), a2 = std::atan2(y, d - x);
+    const long double both = a1 - x * y + static_cast<long double>(r) * r * a2 - (d - x) * y;
+    const long double pi_of_all = std::numbers::pi_v<long double>, second = pi_of_all * r * r;
+    const Areas exact = from(static_cast<double>(pi_of_all), static_cast<double>(second), static_cast<double>(both));
+    // A difference of nearly equal areas has no digits in doubles.
+    const double outside = static_cast<double>(second - both);
+    ASSERT_LE(std::fabs(smooth.areas.intersection - exact.intersection), smooth.error.intersection + 1e-15) << k;
+    ASSERT_LE(std::fabs(smooth.areas.c2_minus_c1 - outside), smooth.error.c2_minus_c1 + 1e-15) << k;
+    ASSERT_LE(std::fabs(smooth.areas.c1_minus_c2 - exact.c1_minus_c2), smooth.error.c1_minus_c2 + 1e-15) << k;
+    const double side1 = 2 * pi / n1, side2 = 2 * pi * r / n2;
+    widest = std::max(widest, smooth.error.intersection / (side1 * side1 * side1 + side2 * side2 * side2 / r));
+  }
+  EXPECT_LT(widest, 1);  // sides times what they bend by
+}
+
 TEST(Smooth, ThousandLobesThatPolygonsMissAreAllFound) {
   // Over the middle of each segment of a circle the other curve comes inside of it by less than the sagitta.
   const double lobes = 1000;
