@@ -27,6 +27,15 @@ Box grown_by(Box box, double by) {
   return box;
 }
 
+using Samples = std::array<double, samples + 1>;
+
+void evaluate(const std::array<double, 6>& polynomial, const Samples& at, Samples& values) {
+  values.fill(polynomial[5]);
+  for (std::size_t power = 5; power-- > 0;) {
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] = values[k] * at[k] + polynomial[power];
+  }
+}
+
 // Two arcs, the second one from `from2`, as seen from the first end of the first one.
 struct ArcPair {
   const SmoothSegment &arc1, &arc2;
@@ -34,13 +43,13 @@ struct ArcPair {
 
   // Twice the area over the chord of the first arc in which the second one lies on the wrong side of it.
   [[nodiscard]] double hidden() const {
-    const Point chord = arc1.chord, to2{from2.x + arc2.chord.x, from2.y + arc2.chord.y};
-    const double square = chord.x * chord.x + chord.y * chord.y;
+    const Point chord = arc1.chord, chord2 = arc2.chord, left2{-chord2.y, chord2.x}, to2 = from2 + chord2;
+    const double square = dot(chord, chord);
     if (!(square > 0) || from2 == to2) return 0;
-    const auto along = [&](Point at) { return (chord.x * at.x + chord.y * at.y) / square; };
-    const auto above = [&](Point at) { return cross(chord, at) / square; };
+    // Along the first chord and above it, in units of it.
+    const double begin = dot(chord, from2) / square, end = dot(chord, to2) / square;
+    const double from = cross(chord, from2) / square, to = cross(chord, to2) / square;
     // The side that the segments have of each other, in the middle of what they have above one another.
-    const double begin = along(from2), end = along(to2), from = above(from2), to = above(to2);
     const double low = std::max(std::min(begin, end), 0.0), high = std::min(std::max(begin, end), 1.0);
     if (!(low < high)) return 0;
     const double apart = from + ((low + high) / 2 - begin) / (end - begin) * (to - from);
@@ -49,15 +58,19 @@ struct ArcPair {
     constexpr double more_of_it = 0.125;
     const double u = (low - begin) / (end - begin), v = (high - begin) / (end - begin), aside = more_of_it * (v - u);
     const double first = std::clamp(u - aside, 0.0, 1.0), last = std::clamp(v + aside, 0.0, 1.0);
-    std::array<double, samples + 1> at{}, depth{};
+    const double along_left = dot(chord, left2) / square, above_left = cross(chord, left2) / square;
+    // Loop by loop, several samples at a time.
+    Samples at, depth, bent, height;
+    for (std::size_t k = 0; k <= samples; ++k) at[k] = first + static_cast<double>(k) / samples * (last - first);
+    evaluate(arc2.f, at, bent);
     for (std::size_t k = 0; k <= samples; ++k) {
-      const Point point = arc2.at(first + static_cast<double>(k) / samples * (last - first));
-      const Point there{from2.x + point.x, from2.y + point.y};
-      at[k] = std::clamp(along(there), 0.0, 1.0);
-      double height = arc1.f[5];
-      for (std::size_t power = 5; power-- > 0;) height = height * at[k] + arc1.f[power];
-      depth[k] = apart > 0 ? height - above(there) : above(there) - height;
+      depth[k] = from + at[k] * (to - from) + bent[k] * above_left;
+      at[k] = begin + at[k] * (end - begin) + bent[k] * along_left;
     }
+    for (double& x : at) x = std::clamp(x, 0.0, 1.0);
+    evaluate(arc1.f, at, height);
+    const double side = apart > 0 ? 1 : -1;
+    for (std::size_t k = 0; k <= samples; ++k) depth[k] = side * (height[k] - depth[k]);
     // Between samples it may be deeper.
     double bend = 0;
     for (std::size_t k = 1; k < samples; ++k)
