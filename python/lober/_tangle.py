@@ -76,6 +76,11 @@ class Lobes:
         return self._rows["outside"]
 
     @property
+    def parts_error(self) -> NDArray[np.float64]:
+        """Error bars of `inside` and `outside` with `smooth`; else NaN."""
+        return self._rows["parts_error"]
+
+    @property
     def perimeter(self) -> NDArray[np.float64]:
         return self._rows["perimeter"]
 
