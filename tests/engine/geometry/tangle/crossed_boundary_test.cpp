@@ -14,20 +14,6 @@
 namespace lober::detail {
 namespace {
 
-// A wave from the left over a flat arc from the right; the chord between their ends crosses the wave three times.
-ManifoldPair wave_and_arc(std::size_t segments) {
-  ManifoldPair pair;
-  for (std::size_t k = 0; k <= 4 * segments; ++k) {
-    const double x = static_cast<double>(k) / static_cast<double>(4 * segments);
-    pair.u.push_back({x, 0.3 * std::sin(5 * std::numbers::pi * x)});
-  }
-  for (std::size_t k = 0; k <= segments; ++k) {
-    const double t = 1 - static_cast<double>(k) / static_cast<double>(segments);
-    pair.s.push_back({1.05 * t, -0.05 * std::sin(std::numbers::pi * t)});
-  }
-  return pair;
-}
-
 void expect_close_to(double found, double error, double fine, double fine_error, const std::string& of) {
   EXPECT_LE(std::fabs(found - fine), error + fine_error) << of;
 }
