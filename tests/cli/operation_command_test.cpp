@@ -154,10 +154,10 @@ TEST_F(OperationCommand, SaysOnceThatABoundaryCrossesItself) {
     arguments.insert(arguments.end(), {"wave", "arc", "--json", "-"});
     const Outcome found = run(arguments);
     EXPECT_EQ(found.status, 3) << found.err;  // no map that preserves area has such lobes
-    for (const std::string remark : {"U begins at (0, 0)", "the boundary crosses itself"}) {
-      const std::size_t first = found.err.find(remark);
+    for (const std::string said : {"U begins at (0, 0)", "the boundary crosses itself"}) {
+      const std::size_t first = found.err.find(said);
       ASSERT_NE(first, std::string::npos) << found.err;
-      EXPECT_EQ(found.err.find(remark, first + 1), std::string::npos) << found.err;
+      EXPECT_EQ(found.err.find(said, first + 1), std::string::npos) << found.err;
     }
     const Json regions = Json::parse(found.out)["regions"];
     EXPECT_EQ(regions[0]["area"], boundary["area"]) << regions;
