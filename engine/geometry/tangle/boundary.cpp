@@ -185,12 +185,13 @@ class Overlaid {
 
   [[nodiscard]] Measured boundary() {
     const double polygons = nonzero_area(outline());
-    return smooth(polygons, between_boundary(), [&] { return sums().boundary(polygons); });
+    return smooth(
+        polygons, [&] { return between_boundary(); }, [&] { return sums().boundary(polygons); });
   }
   [[nodiscard]] Measured inside(std::size_t lobe) {
     const double common = common_area(lobe_outline(tangle_, lobe), outline());
     const Pip &first = tangle_.pips[lobe], &last = tangle_.pips[lobe + 1];
-    const double both = between_boundary() + between(first.u, last.u, last.s, first.s);
+    const auto both = [&] { return between_boundary() + between(first.u, last.u, last.s, first.s); };
     return smooth(common, both, [&] { return sums().inside(lobe, common); });
   }
   /// Whether polygons stood for smooth curves.
@@ -205,14 +206,12 @@ class Overlaid {
     if (!sums_) sums_.emplace(tangle_);
     return *sums_;
   }
-  template <typename Find>
-  [[nodiscard]] Measured smooth(double polygons, double between, const Find& find) {
+  template <typename Between, typename Find>
+  [[nodiscard]] Measured smooth(double polygons, const Between& between, const Find& find) {
     if (!tangle_.curves->smooth) return {polygons, 0};
-    const Measured safe{polygons, between + tangle_.rounding(polygons)};
-    const std::optional<Measured> found = find();
-    if (found && found->error <= safe.error) return *found;
+    if (const std::optional<Measured> found = find()) return *found;
     of_polygons_ = true;
-    return safe;
+    return {polygons, between() + tangle_.rounding(polygons)};
   }
   double between_boundary() {
     if (!between_boundary_) {
