@@ -40,6 +40,8 @@ void add_boundary(std::string& text, const TangleReport& report) {
                   boundary.bip, bip.x, bip.y);
   if (boundary.crosses_itself) {
     text += "           the path that closes it meets the manifolds: inside is where it winds\n";
+    if (boundary.of_polygons)
+      text += "           its area is that of the polygon, and the bar contains the difference\n";
   }
 }
 

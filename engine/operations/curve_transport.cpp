@@ -51,7 +51,8 @@ std::vector<Field> curve_transport_fields() {
   Schema<Found> made;
   made.field("period", "", "number of pips from one to its image", &Found::period)
       .list("regions", "R1, R2", regions_schema(), &Found::regions)
-      .field("enclosed", "area", "area that the boundary encloses", &Found::enclosed)
+      .field("enclosed", "area", "area that the boundary encloses; where it crosses itself, of what it winds round",
+             &Found::enclosed)
       .object("turnstile", "lobes and fluxes", turnstile, whole)
       .list("steps", "n = 1, 2, ...", step_schema(), &Found::steps)
       .object("stop", "why there are fewer rows than were asked for", stop,
@@ -74,10 +75,7 @@ Outcome run_curve_transport(std::span<const Input> inputs, const Options& option
     found.why =
         (found.steps.empty() ? "no n" : "n = 1 to " + std::to_string(found.steps.size())) + of + ": " + found.limit;
   }
-  Outcome outcome = outcome_of(std::move(found), options);
-  const std::vector<std::string>& remarks = outcome.as<CurveTransport>().remarks;
-  outcome.remarks.insert(outcome.remarks.begin(), remarks.begin(), remarks.end());
-  return outcome;
+  return outcome_of(std::move(found), options);
 }
 
 }  // namespace
@@ -85,6 +83,7 @@ Outcome run_curve_transport(std::span<const Input> inputs, const Options& option
 Operation curve_transport_operation() {
   Operation operation;
   operation.name = "curve_transport";
+  operation.revision = 2;  // areas of boundaries that cross themselves
   operation.title = "transport across the boundary of two manifolds that are given as curves";
   operation.summary =
       "Computes the transport across the boundary of two manifolds that are given as curves: the fluxes a(n) and T(n) "

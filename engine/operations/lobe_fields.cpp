@@ -69,6 +69,8 @@ Schema<NumberedLobe> tangle_lobe() {
              [](const One& l) { return l.tangle->discretisation(l.number); })
       .field("polygon_area", "area", "signed area of the polygon; with smooth",
              [](const One& l) { return if_true(l.tangle->smooth, l.lobe().polygon_area); })
+      .field("parts_error", "area", "estimate of the error of inside and of outside; with smooth",
+             [](const One& l) { return if_true(l.tangle->smooth, l.tangle->parts_error(l.number)); })
       .field("pieces", "area", "area of each simple polygon of a lobe that is not simple", [](const One& l) {
         return l.lobe().simple ? std::nullopt : std::optional(lobe_pieces(*l.tangle, l.number));
       });
@@ -86,7 +88,8 @@ Schema<CurveTangle> tangle_bip() {
 
 Schema<CurveTangle> tangle_boundary() {
   Schema<CurveTangle> made;
-  made.field("area", "area", "area that the boundary encloses", [](const CurveTangle& t) { return t.boundary->area; })
+  made.field("area", "area", "area that the boundary encloses; where it crosses itself, of what it winds round",
+             [](const CurveTangle& t) { return t.boundary->area; })
       .field("points", "", "number of points of its polygon",
              [](const CurveTangle& t) { return boundary_outline(t).size(); })
       .field("orientation", "", "orientation of the polygon along U: clockwise or counter_clockwise",

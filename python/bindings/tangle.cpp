@@ -4,6 +4,8 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <limits>
+
 #include "python/bindings/areas.hpp"
 #include "python/bindings/arrays.hpp"
 #include "python/bindings/call.hpp"
@@ -26,7 +28,7 @@ struct PipRow {
 };
 
 struct LobeRow {
-  double area = 0, polygon_area = 0, inside = 0, outside = 0;
+  double area = 0, polygon_area = 0, inside = 0, outside = 0, parts_error = 0;
   double rounding = 0, discretisation = 0;
   double perimeter = 0, width = 0, x = 0, y = 0;
   bool simple = true, meets_closure = false;
@@ -55,9 +57,11 @@ py::array lobes_of(const CurveTangle& tangle) {
       const Lobe& lobe = tangle.lobes[k];
       const LobeShape& shape = tangle.shapes[k];
       const LobeLabel& label = tangle.images.labels[k];
-      rows.push_back({lobe.area, lobe.polygon_area, lobe.inside, lobe.outside, tangle.rounding(lobe.area),
-                      tangle.discretisation(k), shape.perimeter, shape.width, shape.centroid.x, shape.centroid.y,
-                      lobe.simple, lobe.meets_closure, label.from, label.to, label.n});
+      rows.push_back({lobe.area, lobe.polygon_area, lobe.inside, lobe.outside,
+                      tangle.smooth ? tangle.parts_error(k) : std::numeric_limits<double>::quiet_NaN(),
+                      tangle.rounding(lobe.area), tangle.discretisation(k), shape.perimeter, shape.width,
+                      shape.centroid.x, shape.centroid.y, lobe.simple, lobe.meets_closure, label.from, label.to,
+                      label.n});
     }
     return rows;
   }));
@@ -136,8 +140,8 @@ py::dict manifolds_of(const OperationRun& run) {
 
 void bind_tangle(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(PipRow, x, y, rho, node, u_segment, s_segment, u_t, s_t);
-  PYBIND11_NUMPY_DTYPE(LobeRow, area, polygon_area, inside, outside, rounding, discretisation, perimeter, width, x, y,
-                       simple, meets_closure, label_from, label_to, label_n);
+  PYBIND11_NUMPY_DTYPE(LobeRow, area, polygon_area, inside, outside, parts_error, rounding, discretisation, perimeter,
+                       width, x, y, simple, meets_closure, label_from, label_to, label_n);
   PYBIND11_NUMPY_DTYPE(OverlapRow, i, j, area, error, perimeter);
   py::class_<CurveTangle, std::shared_ptr<CurveTangle>>(module, "Tangle")
       .def("nodes", [](const CurveTangle& tangle) { return nodes_array(tangle.nodes); })

@@ -58,7 +58,7 @@ from ._transport import (
     TransportBoundary,
 )
 from ._view import Page, page, view
-from .errors import Cancelled, DataError, DisagreementError, Error, IncompleteWarning, NotSimpleError, UsageError
+from .errors import Cancelled, DataError, DisagreementError, DisagreementWarning, Error, IncompleteWarning, NotSimpleError, UsageError
 
 __all__ = [
     "Agreement",
@@ -72,6 +72,7 @@ __all__ = [
     "CurveFile",
     "DataError",
     "DisagreementError",
+    "DisagreementWarning",
     "Error",
     "IncompleteWarning",
     "Escape",

@@ -27,6 +27,12 @@ class Comparison:
     def agrees(self) -> bool:
         return self.first == self.second or self.difference <= self.bar
 
+    def __str__(self) -> str:
+        return (
+            f"{self.what}: {self.first!r} by {self.first_by}, {self.second!r} by {self.second_by}; "
+            f"they differ by {self.difference:.3g}, the bars allow {self.bar:.3g}"
+        )
+
 
 @dataclass(frozen=True)
 class Agreement:
@@ -44,10 +50,7 @@ class Agreement:
     def require(self) -> None:
         """Raises DisagreementError where two routes differ by more than their bars."""
         for c in self.disagreements:
-            raise DisagreementError(
-                f"{c.what}: {c.first!r} by {c.first_by}, {c.second!r} by {c.second_by}; "
-                f"they differ by {c.difference:.3g}, the bars allow {c.bar:.3g}"
-            )
+            raise DisagreementError(str(c))
 
 
 def agreement_of(comparisons: list[tuple[Any, ...]]) -> Agreement:

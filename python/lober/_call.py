@@ -15,7 +15,7 @@ from ._arrays import kept_points_of, points_of, sealed
 from ._numbers import number_of, numbers_of, threads_of
 from ._progress import Progress, watching
 from ._systems import Connection, System, is_own, pair_of, system_of
-from .errors import IncompleteWarning, UsageError
+from .errors import DisagreementWarning, IncompleteWarning, UsageError
 
 TABLE = {operation["name"]: operation for operation in _lober.table()}
 
@@ -125,7 +125,8 @@ def run(
 ) -> Run:
     """Runs an operation on the inputs `given`, in the order of the table; None for one that is left out.
 
-    Warns where a part is missing that was asked for (`IncompleteWarning`).
+    Warns where a part is missing that was asked for (`IncompleteWarning`), and where routes disagree, where the program
+    ends with exit status 3 (`DisagreementWarning`).
 
     `connection` is that of the system, which comes first. Its bip is insisted on where it is the caller's own. `lazy` are
     further settings, which are not those of the caller.
@@ -152,5 +153,8 @@ def run(
         found = _lober.run(name, inputs, {**made_fit, **(lazy or {})}, threads, callback)
     if found.incomplete:
         warnings.warn(found.incomplete, IncompleteWarning, stacklevel=3)
+    if apart := agreement_of(found.comparisons()).disagreements:
+        more = f" (and {len(apart) - 1} more)" if len(apart) > 1 else ""
+        warnings.warn(f"two routes disagree: {apart[0]}{more}", DisagreementWarning, stacklevel=3)
     again = (lambda: _lober.run(name, inputs, made_fit, threads, None)) if lazy else None
     return Run(name, found, tuple(arguments), {identifier(key): value for key, value in made_fit.items()}, again)

@@ -216,7 +216,7 @@ class CurveTransport(Result):
     period: int
     #: R1, R2.
     regions: CurveTransportRegions
-    #: Area that the boundary encloses (unit: area).
+    #: Area that the boundary encloses; where it crosses itself, of what it winds round (unit: area).
     enclosed: Measured
     #: Lobes and fluxes.
     turnstile: CurveTransportTurnstile | None

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _lober
+from ._agreement import Agreement
 from ._areas import html_table
 from ._arrays import Points, sealed
 from ._call import Run
@@ -74,6 +75,11 @@ class Lobes:
     @property
     def outside(self) -> NDArray[np.float64]:
         return self._rows["outside"]
+
+    @property
+    def parts_error(self) -> NDArray[np.float64]:
+        """Error bars of `inside` and `outside` with `smooth`; else NaN."""
+        return self._rows["parts_error"]
 
     @property
     def perimeter(self) -> NDArray[np.float64]:
@@ -200,6 +206,11 @@ class Tangle(Recomputed):
         return sealed(self._of.overlaps())  # type: ignore[no-any-return]
 
     @property
+    def agreement(self) -> Agreement:
+        """Areas of lobes and of their images, where the period was inferred; of a system, by geometry and by action."""
+        return self._run.agreement
+
+    @property
     def remarks(self) -> list[str]:
         """Remarks on unusual input."""
         return self._of.remarks
@@ -209,7 +220,8 @@ class Tangle(Recomputed):
 
     def _size(self) -> str:
         crossings = np.count_nonzero(self.nodes["rho"])  # the others are touches
-        return f"{crossings} crossings, {len(self.pips)} pips, {len(self.lobes)} lobes"
+        agreed = "" if self.agreement else ", routes disagree"
+        return f"{crossings} crossings, {len(self.pips)} pips, {len(self.lobes)} lobes{agreed}"
 
     def _repr_html_(self) -> str:
         lobes = self.lobes

@@ -80,8 +80,6 @@ class SystemTangle(Tangle):
         self.multipliers: tuple[float, float] = more["multipliers"]
         #: How far the points of both manifolds lie beside them, an estimate; errors of areas contain it.
         self.point_errors: tuple[float, float] = more["point_errors"]
-        #: Areas by geometry and by action, and more.
-        self.agreement: Agreement = run.agreement
 
 
 @dataclass(frozen=True)

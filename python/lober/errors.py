@@ -1,7 +1,7 @@
 """Exceptions of lober, those of the library with the same text.
 
 Each derives from `Error`; those that say that arguments or data cannot be used are `ValueError` too. A result without a
-part that was asked for is a warning, `IncompleteWarning`.
+part that was asked for is a warning, `IncompleteWarning`, and one whose routes disagree another, `DisagreementWarning`.
 """
 
 from __future__ import annotations
@@ -48,3 +48,7 @@ class Cancelled(Error):
 
 class IncompleteWarning(UserWarning):
     """A part of a result is missing that was asked for: a manifold or an image ends early at a limit."""
+
+
+class DisagreementWarning(UserWarning):
+    """Two independent routes to a quantity of a result differ by more than their error bars: its `agreement` is false."""

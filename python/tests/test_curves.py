@@ -91,6 +91,25 @@ def test_tangle():
     assert pickle.loads(pickle.dumps(t)).lobes.area.tobytes() == t.lobes.area.tobytes()
 
 
+def test_a_tangle_whose_lobes_change_their_areas():
+    """The program ends with exit status 3: lobes whose images have another area, though the period was inferred."""
+    x = np.linspace(0, 1, 401)
+    t = np.linspace(0, 1, 101)
+    u = np.stack([x, 0.3 * np.sin(5 * np.pi * x)], axis=1)
+    s = np.stack([1.05 * (1 - t), -0.05 * np.sin(np.pi * (1 - t))], axis=1)
+    with pytest.warns(lober.DisagreementWarning, match="two routes disagree: area of lobe 0: .* by itself"):
+        found = lober.tangle(u, s, smooth=True)
+    assert not found.agreement and len(found.agreement.disagreements) == 1 and "routes disagree" in repr(found)
+    with pytest.raises(lober.DisagreementError, match="area of lobe 0"):
+        found.agreement.require()
+    # The path that closes the boundary crosses it.
+    assert found.boundary is not None and found.boundary.crosses_itself
+    assert abs(found.boundary.area - 0.1273334017) <= found.boundary.error.discretisation < 1e-7
+    assert (found.lobes.parts_error >= found.lobes.error.discretisation).all() and (found.lobes.parts_error < 1e-6).all()
+    given = lober.tangle(u, s, period=2)  # nothing is compared then, and nothing is known of the parts' errors
+    assert given.agreement and not given.agreement.comparisons and np.isnan(given.lobes.parts_error).all()
+
+
 def test_tangle_options():
     u, s = manifolds()
     t = lober.tangle(u, s, period=2, bip=4)

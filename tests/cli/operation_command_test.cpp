@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "lober/operations.hpp"
 #include "tests/cli/program.hpp"
@@ -138,6 +139,29 @@ TEST_F(OperationCommand, NamesTheFileOfACurveThatCrossesItself) {
   const Outcome found = run({"curve-transport", "line", "bow"});
   EXPECT_EQ(found.status, 1);
   EXPECT_NE(found.err.find("bow: curve 2 is not simple"), std::string::npos) << found.err;
+}
+
+// The path from (1.05, 0) to (0, 0) crosses the wave.
+TEST_F(OperationCommand, SaysOnceThatABoundaryCrossesItself) {
+  std::vector<Point> wave, arc;
+  for (int k = 0; k <= 400; ++k) wave.push_back({k / 400.0, 0.3 * std::sin(5 * std::numbers::pi * k / 400)});
+  for (int k = 100; k >= 0; --k) arc.push_back({1.05 * k / 100, -0.05 * std::sin(std::numbers::pi * k / 100)});
+  write_curve("wave", wave);
+  write_curve("arc", arc);
+  const Json boundary = Json::parse(run({"tangle", "wave", "arc", "--smooth", "--json", "-"}).out)["boundary"];
+  const std::vector<std::vector<std::string>> commands{{"curve-transport"}, {"transport", "--manifolds"}};
+  for (std::vector<std::string> arguments : commands) {
+    arguments.insert(arguments.end(), {"wave", "arc", "--json", "-"});
+    const Outcome found = run(arguments);
+    EXPECT_EQ(found.status, 3) << found.err;  // no map that preserves area has such lobes
+    for (const std::string said : {"U begins at (0, 0)", "the boundary crosses itself"}) {
+      const std::size_t first = found.err.find(said);
+      ASSERT_NE(first, std::string::npos) << found.err;
+      EXPECT_EQ(found.err.find(said, first + 1), std::string::npos) << found.err;
+    }
+    const Json regions = Json::parse(found.out)["regions"];
+    EXPECT_EQ(regions[0]["area"], boundary["area"]) << regions;
+  }
 }
 
 TEST_F(OperationCommand, RefusesWhatItDoesNotKnow) {

@@ -5,6 +5,11 @@
 namespace lober::detail {
 namespace {
 
+// Not known where areas are those of polygons. Behind the others, whose numbers callers may know.
+void add_parts_errors(TableJob& job) {
+  job.lists.emplace_back("parts_errors", "lobes.parts_error");
+}
+
 TableJob tangle_job(const char* view) {
   TableJob job;
   job.view = view;
@@ -31,6 +36,7 @@ TableJob tangle_job(const char* view) {
 
 Operation tangle_operation() {
   TableJob job = tangle_job("tangles");
+  add_parts_errors(job);
   job.microseconds = 20;
   job.microseconds_a_point = 1e-2;
   return operation_of(operations::named("tangle"), job);
@@ -42,6 +48,7 @@ Operation manifold_tangle_operation() {
           {{"multiplier_u", "saddles.unstable.multiplier"}, {"multiplier_s", "saddles.stable.multiplier"}});
   add_all(job.lists, {{"areas_by_action", "turnstile_by_action.lobes.action"},
                       {"action_errors", "turnstile_by_action.lobes.action_error"}});
+  add_parts_errors(job);
   job.microseconds = 1e6;
   job.memory = std::size_t{64} << 20;
   return operation_of(operations::named("manifold_tangle"), job);

@@ -12,7 +12,7 @@
 namespace lober::detail {
 
 /// Raise it when the tables change, among them the columns and the lists of operations.
-inline constexpr int store_format = 11;
+inline constexpr int store_format = 12;
 
 /// "results_overlay".
 [[nodiscard]] std::string table_of(const Operation& operation);

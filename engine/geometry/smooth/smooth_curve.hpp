@@ -16,8 +16,14 @@ namespace lober::detail {
 /// long that no fit makes use of them.
 class SmoothCurve {
  public:
-  explicit SmoothCurve(CurveView view) : view_(view), size_(static_cast<std::int64_t>(view.points.size())) {}
+  /// A curve whose segments all stay straight, if `straight`; so do those of curves of fewer vertices than a segment
+  /// looks at.
+  explicit SmoothCurve(CurveView view, bool straight = false)
+      : view_(view),
+        size_(static_cast<std::int64_t>(view.points.size())),
+        straight_(straight || view.points.size() < around_a_segment) {}
 
+  [[nodiscard]] const CurveView& view() const { return view_; }
   [[nodiscard]] std::size_t segments() const { return view_.segments(); }
   [[nodiscard]] Point vertex(std::int64_t k) const {
     if (k >= 0 && k < size_) return view_.points[static_cast<std::size_t>(k)];
@@ -34,11 +40,10 @@ class SmoothCurve {
   /// The eight vertices about a segment if they lie in a row; else nothing, and segment() has to look for them, as it
   /// has where two neighbours among them coincide.
   [[nodiscard]] const Point* window(std::int64_t k) const {
-    return size_ < 8 || k < 3 || k + 4 >= size_ ? nullptr : view_.points.data() + (k - 3);
+    return straight_ || k < 3 || k + 4 >= size_ ? nullptr : view_.points.data() + (k - 3);
   }
-  /// Curves of fewer vertices than a segment looks at stay polygons.
   [[nodiscard]] SmoothSegment segment(std::int64_t k) const {
-    if (size_ < 8) {
+    if (straight_) {
       const Point a = vertex(k), b = vertex(k + 1);
       SmoothSegment straight;
       straight.chord = {b.x - a.x, b.y - a.y};
@@ -69,14 +74,14 @@ class SmoothCurve {
     const std::size_t count = end - begin;
     std::array<Point, Few::most + 7> copied;
     std::span<const Point> points;
-    if (begin >= 3 && end + 4 <= view_.points.size()) {
+    if (!straight_ && begin >= 3 && end + 4 <= view_.points.size()) {
       points = view_.points.subspan(begin - 3, count + 7);
-    } else if (size_ >= 8) {
+    } else if (!straight_) {
       const auto first = static_cast<std::int64_t>(begin) - 3;
       for (std::size_t k = 0; k < count + 7; ++k) copied[k] = vertex(first + static_cast<std::int64_t>(k));
       points = std::span(copied).first(count + 7);
     }
-    if (size_ >= 8) {
+    if (!straight_) {
       const StraightSegments found =
           smooth_chord_areas(points.data(), count, few.areas.data(), few.errors.data(), few.smooth.data());
       few.straight = found.count;
@@ -116,8 +121,11 @@ class SmoothCurve {
     return to;
   }
 
+  static constexpr std::size_t around_a_segment = 8;
+
   CurveView view_;
   std::int64_t size_;
+  bool straight_;
 };
 
 /// A position on a smooth curve. `segment` may lie a few segments outside the curve, so that positions near the first

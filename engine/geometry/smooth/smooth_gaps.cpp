@@ -15,8 +15,8 @@ constexpr std::size_t gaps_a_task = 256;
 
 class GapFinder {
  public:
-  GapFinder(CurveView c1, CurveView c2, const NodeGraph& graph, std::span<const std::uint32_t> nodes)
-      : c1_(c1), c2_(c2), view1_(c1), view2_(c2), graph_(graph), nodes_(nodes), found_(nodes.size()) {}
+  GapFinder(const SmoothCurve& c1, const SmoothCurve& c2, const NodeGraph& graph, std::span<const std::uint32_t> nodes)
+      : c1_(c1), c2_(c2), graph_(graph), nodes_(nodes), found_(nodes.size()) {}
 
   SmoothGaps find(const ChordAreaTable& table1, const ChordAreaTable& table2) {
     for_each_block(nodes_.size(), gaps_a_task, [&](std::size_t begin, std::size_t end) {
@@ -57,7 +57,9 @@ class GapFinder {
       gap.twice += two_diff(end.on1, end.on2);
       gap.uncertainty = end.uncertainty;
       gap.moved = found_[k].moved;
-      gap.at = gap.moved ? point_at(found_[k].on1) : contact_point(contact(k), view1_, view2_);
+      gap.position1 = position(k, true);
+      gap.position2 = position(k, false);
+      gap.at = gap.moved ? point_at(found_[k].on1) : contact_point(contact(k), c1_.view(), c2_.view());
       gaps.fallback_crossings += !gap.moved;
     }
     return gaps;
@@ -96,7 +98,6 @@ class GapFinder {
   }
 
   SmoothCurve c1_, c2_;
-  CurveView view1_, view2_;
   const NodeGraph& graph_;
   std::span<const std::uint32_t> nodes_;
   std::vector<SmoothContact> found_;
@@ -104,8 +105,8 @@ class GapFinder {
 
 }  // namespace
 
-SmoothGaps smooth_gaps(CurveView c1, CurveView c2, const ChordAreaTable& sums1, const ChordAreaTable& sums2,
-                       const NodeGraph& graph, std::span<const std::uint32_t> nodes) {
+SmoothGaps smooth_gaps(const SmoothCurve& c1, const SmoothCurve& c2, const ChordAreaTable& sums1,
+                       const ChordAreaTable& sums2, const NodeGraph& graph, std::span<const std::uint32_t> nodes) {
   return GapFinder(c1, c2, graph, nodes).find(sums1, sums2);
 }
 

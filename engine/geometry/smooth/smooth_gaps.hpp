@@ -19,7 +19,9 @@ struct SmoothGap {
   double error2 = 0;       ///< two crossings has the difference
   double uncertainty = 0;  ///< twice the area that may hide at the crossing itself
   Point at;                ///< where the smooth curves cross
-  bool moved = false;      ///< false where they do not cross near by in the same order: then the polygons' crossing
+  double position1 = 0;    ///< the same along C1 and along C2: number of a segment and parameter on it
+  double position2 = 0;
+  bool moved = false;  ///< false where they do not cross near by in the same order: then the polygons' crossing
 };
 
 struct SmoothGaps {
@@ -31,7 +33,7 @@ struct SmoothGaps {
 /// The gaps at the given nodes, which ascend, by the method of smooth_areas (engine/lober/overlay/smooth.hpp), with the
 /// sums of both curves, or of translates of them. Coordinates must be scaled (curve/scaled.hpp). O(nodes log nodes),
 /// parallel; the same bits for any number of threads.
-[[nodiscard]] SmoothGaps smooth_gaps(CurveView c1, CurveView c2, const ChordAreaTable& sums1,
+[[nodiscard]] SmoothGaps smooth_gaps(const SmoothCurve& c1, const SmoothCurve& c2, const ChordAreaTable& sums1,
                                      const ChordAreaTable& sums2, const NodeGraph& graph,
                                      std::span<const std::uint32_t> nodes);
 

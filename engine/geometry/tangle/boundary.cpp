@@ -4,11 +4,15 @@
 #include <cmath>
 #include <string>
 
+#include "engine/base/parallel/parallel.hpp"
 #include "engine/base/text.hpp"
 #include "engine/geometry/crossings/crossings_data.hpp"
 #include "engine/geometry/curve/require.hpp"
+#include "engine/geometry/smooth/arc_boxes.hpp"
+#include "engine/geometry/smooth/near_misses.hpp"
 #include "engine/geometry/tangle/gaps.hpp"
 #include "engine/geometry/tangle/lobe_topology.hpp"
+#include "engine/geometry/tangle/winding_sums.hpp"
 #include "kernels/shoelace.hpp"
 #include "lober/overlay/regions.hpp"
 
@@ -30,6 +34,11 @@ std::vector<Position> closure_meetings(const IndexedCurve& closure, const Indexe
   return meetings;
 }
 
+double nonzero_area(const std::vector<Point>& polygon) {
+  if (!bounds_something(polygon)) return 0;
+  return regions(ClosedCurve::borrow(polygon)).areas(FillRule::nonzero).c1;
+}
+
 // Whether the closure cuts the boundary, and which lobes it cuts.
 struct ClosureCuts {
   bool boundary = false;
@@ -40,6 +49,14 @@ ClosureCuts cuts_of_closure(const Tangle& tangle) {
   const TangleCurves& curves = *tangle.curves;
   const std::vector<Point> path = closing_path(tangle);
   if (path.size() == 2 && path[0] == path[1]) return cuts;
+  if (path_meets_itself(path)) {
+    // It may only touch itself, or go some way and come back.
+    constexpr double negligible = 1e-12;
+    const std::vector<Point> outline = boundary_outline(tangle);
+    const double wound = nonzero_area(outline);
+    const double enclosed = std::fabs(signed_area(CurveView{outline, true}));
+    cuts.boundary = std::fabs(wound - enclosed) > negligible * std::max(wound, enclosed);
+  }
   const IndexedCurve closure({path, false});
   // Parameters are rounded: crossings that near to a pip count for both sides.
   constexpr double uncertainty = 1e-12;
@@ -69,11 +86,6 @@ ClosureCuts cuts_of_closure(const Tangle& tangle) {
   return cuts;
 }
 
-double nonzero_area(const std::vector<Point>& polygon) {
-  if (!bounds_something(polygon)) return 0;
-  return regions(ClosedCurve::borrow(polygon)).areas(FillRule::nonzero).c1;
-}
-
 double common_area(const std::vector<Point>& first, const std::vector<Point>& second) {
   if (!bounds_something(first) || !bounds_something(second)) return 0;
   return regions(ClosedCurve::borrow(first), ClosedCurve::borrow(second)).areas(FillRule::nonzero).intersection;
@@ -100,6 +112,128 @@ BoundaryCrossings crossings_with_lobes(const Tangle& tangle) {
   }
   return found;
 }
+
+// Where the smooth arcs of some segments of a curve lie, the segments have been: twice the area between, from above.
+double twice_between(const CurveView& view, std::uint32_t from, std::uint32_t to) {
+  constexpr std::uint32_t beyond = 2;  // segments by which a crossing may have moved (smooth_crossing.cpp)
+  constexpr int samples = 8;
+  const SmoothCurve curve(view);
+  const auto first = static_cast<std::int64_t>(from > beyond ? from - beyond : 0);
+  const auto last = std::min(static_cast<std::int64_t>(to) + beyond + 1, static_cast<std::int64_t>(curve.segments()));
+  double twice = 0;
+  for (std::int64_t k = first; k < last; ++k) {
+    const SmoothSegment segment = curve.segment(k);
+    double height = 0;
+    for (int j = 0; j < samples; ++j) {
+      const double u = (j + 0.5) / samples;
+      double f = 0;
+      for (std::size_t power = segment.f.size(); power-- > 0;) f = f * u + segment.f[power];
+      height += std::fabs(f);
+    }
+    twice += 2 * height / samples * dot(segment.chord, segment.chord) + 2 * segment.error;
+  }
+  return twice;
+}
+
+// Twice the area, from above, that smooth arcs of the manifolds have beyond the closure where their polygons do not
+// meet it: of those that bound lobes or the boundary.
+double twice_hidden_at(const std::vector<Point>& path, const Tangle& tangle) {
+  if (path.size() == 2 && path[0] == path[1]) return 0;
+  const TangleCurves& curves = *tangle.curves;
+  const IndexedCurve closure(CurveView{path, false});
+  const SmoothCurve straight(closure.view(), true);
+  ArcBoxes straight_boxes(straight);
+  straight_boxes.add(0, straight.segments());
+  straight_boxes.join();
+  const auto hidden_along = [&](const IndexedCurve& whole, Position last) {
+    constexpr std::size_t fitted_beside = 8;
+    const std::size_t points = std::min(whole.view().points.size(), last.segment + std::size_t{2} + fitted_beside);
+    const CurveView view{whole.view().points.first(points), false};
+    const SmoothCurve smooth(view);
+    ArcBoxes boxes(smooth);
+    for_each_block(smooth.segments(), 64 * ArcBoxes::segments_a_leaf,
+                   [&](std::size_t begin, std::size_t end) { boxes.add(begin, end); });
+    boxes.join();
+    NodeSegments about(smooth.segments()), about_path(straight.segments());
+    // Numbers of segments beyond the ends would be those of the other end.
+    const auto add = [](NodeSegments& segments, std::size_t size, double at, double beside) {
+      const double end = std::max(static_cast<double>(size) - 2, 1.0);
+      segments.add(std::clamp(at - beside, 1.0, end), std::clamp(at + beside, 1.0, end));
+    };
+    constexpr double moves_by = 2;  // smooth_crossing.cpp
+    add(about, smooth.segments(), 0, 0);
+    add(about_path, straight.segments(), 0, 0);
+    add(about_path, straight.segments(), static_cast<double>(straight.segments()), 0);
+    const ContactList contacts = find_contacts(closure, whole, IndexKind::tree).list;
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      const Contact contact = contacts[k];
+      add(about, smooth.segments(), contact.segment2 + contact.t2.hi, moves_by);
+      add(about_path, straight.segments(), contact.segment1 + contact.t1.hi, 0);
+    }
+    about.join();
+    about_path.join();
+    return hidden_area({smooth, boxes, about}, {straight, straight_boxes, about_path});
+  };
+  return hidden_along(curves.u(), tangle.pips.back().u) + hidden_along(curves.s(), tangle.pips.front().s);
+}
+
+// The parts of a lobe and the boundary by their polygons, where the path that closes the boundary is in the way of sums
+// up to crossings; of smooth curves then what they add to that.
+class Overlaid {
+ public:
+  explicit Overlaid(const Tangle& tangle) : tangle_(tangle) {}
+
+  [[nodiscard]] Measured boundary() {
+    const double polygons = nonzero_area(outline());
+    return smooth(
+        polygons, [&] { return between_boundary(); }, [&] { return sums().boundary(polygons); });
+  }
+  [[nodiscard]] Measured inside(std::size_t lobe) {
+    const double common = common_area(lobe_outline(tangle_, lobe), outline());
+    const Pip &first = tangle_.pips[lobe], &last = tangle_.pips[lobe + 1];
+    const auto both = [&] { return between_boundary() + between(first.u, last.u, last.s, first.s); };
+    return smooth(common, both, [&] { return sums().inside(lobe, common); });
+  }
+  /// Whether polygons stood for smooth curves.
+  [[nodiscard]] bool of_polygons() const { return of_polygons_; }
+
+ private:
+  const std::vector<Point>& outline() {
+    if (outline_.empty()) outline_ = boundary_outline(tangle_);
+    return outline_;
+  }
+  const WindingSums& sums() {
+    if (!sums_) sums_.emplace(tangle_);
+    return *sums_;
+  }
+  template <typename Between, typename Find>
+  [[nodiscard]] Measured smooth(double polygons, const Between& between, const Find& find) {
+    if (!tangle_.curves->smooth) return {polygons, 0};
+    if (const std::optional<Measured> found = find()) return *found;
+    of_polygons_ = true;
+    return {polygons, between() + tangle_.rounding(polygons)};
+  }
+  double between_boundary() {
+    if (!between_boundary_) {
+      const Pip& bip = tangle_.pips[tangle_.boundary->bip];
+      between_boundary_ = between({}, bip.u, {}, bip.s);
+    }
+    return *between_boundary_;
+  }
+  [[nodiscard]] double between(Position u_from, Position u_to, Position s_from, Position s_to) const {
+    const TangleCurves& curves = *tangle_.curves;
+    if (!curves.smooth) return 0;
+    return curves.area({twice_between(curves.u().view(), u_from.segment, u_to.segment) +
+                            twice_between(curves.s().view(), s_from.segment, s_to.segment),
+                        0});
+  }
+
+  const Tangle& tangle_;
+  std::vector<Point> outline_;  // made when it is needed, as are the others
+  std::optional<WindingSums> sums_;
+  std::optional<double> between_boundary_;
+  bool of_polygons_ = false;
+};
 
 }  // namespace
 
@@ -137,6 +271,14 @@ std::vector<Point> closing_path(const Tangle& tangle) {
   return path;
 }
 
+bool path_meets_itself(const std::vector<Point>& path) {
+  if (path.size() < 4) return false;  // two segments meet where they join, or run back along each other
+  std::vector<Point> round = path;
+  const bool closed = path.front() == path.back();
+  if (closed) round.pop_back();
+  return !self_meetings(IndexedCurve(CurveView{round, closed}), 1).pairs.empty();
+}
+
 DD twice_swept(const Tangle& tangle, std::size_t pip) {
   DD twice = gap_of(tangle.pips.at(pip));  // about p-, so that a chord adds nothing
   const std::vector<Point> path = closing_path(tangle);
@@ -152,19 +294,32 @@ void bound_lobes(Tangle& tangle) {
   boundary.orientation = twice_area.hi < 0 ? -1 : 1;
   const ClosureCuts closure = cuts_of_closure(tangle);
   boundary.crosses_itself = closure.boundary;
-  std::vector<Point> outline;  // made when it is needed
-  const auto polygon = [&]() -> const std::vector<Point>& {
-    if (outline.empty()) outline = boundary_outline(tangle);
-    return outline;
-  };
-  boundary.area = boundary.crosses_itself ? nonzero_area(polygon()) : std::fabs(curves.area(twice_area));
-  if (curves.smooth) {
-    boundary.smooth_error = curves.area({tangle.pips[bip].gap_error, 0}) + tangle.rounding(boundary.area);
+  Overlaid overlaid(tangle);
+  if (boundary.crosses_itself) {
+    const Measured found = overlaid.boundary();
+    boundary.area = found.value;
+    boundary.smooth_error = found.error;
+  } else {
+    boundary.area = std::fabs(curves.area(twice_area));
+    if (curves.smooth)
+      boundary.smooth_error = curves.area({tangle.pips[bip].gap_error, 0}) + tangle.rounding(boundary.area);
   }
 
   const BoundaryCrossings crossings = crossings_with_lobes(tangle);
-  const Buffer<DD> gaps = gaps_at(curves, graph_of(tangle.nodes), crossings.nodes);
+  Buffer<DD> gaps = polygon_gaps_at(curves, graph_of(tangle.nodes), crossings.nodes);
   std::vector<DD> sums(tangle.lobes.size());
+  // Twice the errors of the boundary's arcs in each lobe, with a sign, and of the crossings.
+  std::vector<double> arcs(tangle.lobes.size()), uncertainty(tangle.lobes.size());
+  if (curves.smooth && !crossings.nodes.empty()) {
+    const SmoothGaps smooth = curves.smooth_gaps_at(graph_of(tangle.nodes), crossings.nodes);
+    for (std::size_t k = 0; k < gaps.size(); ++k) {
+      const SmoothGap& gap = smooth.at[k];
+      const std::uint32_t lobe = crossings.lobes[k];
+      gaps[k] += gap.twice;
+      arcs[lobe] += tangle.nodes.rho(crossings.nodes[k]) * (lobe >= bip ? gap.error2 : gap.error1);
+      uncertainty[lobe] += gap.uncertainty;
+    }
+  }
   for (std::size_t k = 0; k < gaps.size(); ++k) {
     DD& sum = sums[crossings.lobes[k]];
     sum = tangle.nodes.rho(crossings.nodes[k]) > 0 ? sum + gaps[k] : sum - gaps[k];
@@ -177,12 +332,16 @@ void bound_lobes(Tangle& tangle) {
     const double area = std::fabs(lobe.area);
     lobe.meets_closure = closure.lobes[m];
     if (boundary.crosses_itself || lobe.meets_closure || holds_start_of_u(tangle, m) || holds_start_of_s(tangle, m)) {
-      const double common = common_area(lobe_outline(tangle, m), polygon());
-      const bool speck = common <= tangle.rounding(area);  // corners of outlines are rounded
-      lobe.inside = speck ? 0 : std::min(area, common);
+      const Measured common = overlaid.inside(m);
+      const bool speck = common.value <= tangle.rounding(area);  // corners of outlines are rounded
+      lobe.inside = speck ? 0 : std::min(area, common.value);
       lobe.outside = area - lobe.inside;
+      // It is known to be no less than nothing, and no more than the lobe.
+      const double beyond = std::max({-common.value, common.value - area, 0.0});
+      if (curves.smooth) lobe.boundary_error = common.error + beyond;
       continue;
     }
+    lobe.boundary_error = curves.area({std::fabs(arcs[m]) + uncertainty[m], 0});
     const int relative_orientation = lobe.orientation() * boundary.orientation;
     const bool begins_inside = relative_orientation == (m >= bip ? -1 : 1);
     if (!crossed[m]) {
@@ -195,6 +354,18 @@ void bound_lobes(Tangle& tangle) {
     // Along the shared arc the lobe is inside or outside; the crossings take away from that or add to it.
     lobe.inside = std::clamp(curves.area(begins_inside ? twice + part : part), 0.0, area);
     lobe.outside = std::clamp(curves.area(begins_inside ? -part : twice - part), 0.0, area);
+  }
+  if (curves.smooth) {
+    const double hidden = curves.area({twice_hidden_at(closing_path(tangle), tangle), 0});
+    boundary.smooth_error += hidden;
+    for (Lobe& lobe : tangle.lobes) lobe.boundary_error += hidden;
+  }
+  boundary.of_polygons = overlaid.of_polygons();
+  if (boundary.of_polygons) {
+    tangle.remarks.emplace_back(
+        "the polygons leave it open how smooth curves lie where the path that closes the boundary meets the manifolds: "
+        "the areas of the boundary and of the parts of lobes there are those of polygons, with error bars for what "
+        "lies between; a path of corners that keeps away from the manifolds avoids it");
   }
 }
 

@@ -12,6 +12,9 @@ namespace lober::detail {
 /// The path that closes the boundary, from p+ to p-, at the scale of TangleCurves.
 [[nodiscard]] std::vector<Point> closing_path(const Tangle& tangle);
 
+/// Whether that path meets itself but where its segments join, and where both its ends are one point.
+[[nodiscard]] bool path_meets_itself(const std::vector<Point>& path);
+
 /// Twice the signed area of what U[p-, q], S[q, p+] and the closure enclose, q the pip of this number, at the scale of
 /// TangleCurves.
 [[nodiscard]] DD twice_swept(const Tangle& tangle, std::size_t pip);
@@ -24,7 +27,7 @@ namespace lober::detail {
 /// o_m = o_B (m < b); then
 ///   2 inside = [inside along the shared arc] 2 |area| -+ o_m o_B sum of rho D over those crossings.
 /// This holds if neither p- nor p+ lies in the lobe and the closure meets neither the lobe nor the rest of the
-/// boundary. Otherwise polygons are overlaid.
+/// boundary. Otherwise polygons are overlaid, and smooth curves are measured by winding numbers (winding_sums.hpp).
 void bound_lobes(Tangle& tangle);
 
 }  // namespace lober::detail

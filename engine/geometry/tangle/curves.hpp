@@ -31,7 +31,7 @@ struct TangleCurves {
   [[nodiscard]] const IndexedCurve& s() const { return *index_s; }
 
   [[nodiscard]] SmoothGaps smooth_gaps_at(const NodeGraph& graph, std::span<const std::uint32_t> nodes) const {
-    return smooth_gaps(u().view(), s().view(), *chords_u, *chords_s, graph, nodes);
+    return smooth_gaps(SmoothCurve(u().view()), SmoothCurve(s().view()), *chords_u, *chords_s, graph, nodes);
   }
 
   [[nodiscard]] double area(DD twice) const { return scaled_area(twice.hi + twice.lo, -1 - 2 * exponent); }

@@ -6,7 +6,8 @@
 
 namespace lober::detail {
 
-Buffer<DD> polygon_gaps_at(const TangleCurves& curves, const NodeGraph& graph, std::span<const std::uint32_t> nodes) {
+Buffer<DD> polygon_gaps_at(const IndexedCurve& u, const IndexedCurve& s, Point origin, const NodeGraph& graph,
+                           std::span<const std::uint32_t> nodes) {
   const std::size_t count = nodes.size();
   Buffer<DD> along_u(count), along_s(count);
   if (count == 0) return along_u;
@@ -22,10 +23,10 @@ Buffer<DD> polygon_gaps_at(const TangleCurves& curves, const NodeGraph& graph, s
   }
   const auto contact = [&](std::size_t k) { return graph.contacts[graph.span(nodes[k]).first]; };
   parallel_if(
-      curves.u().segments() + curves.s().segments() > 100'000,
+      u.segments() + s.segments() > 100'000,
       [&] {
         sum_along(
-            curves.u().tree(), curves.origin(), count,
+            u.tree(), origin, count,
             [&](std::size_t k) {
               return PrecisePosition{contact(k).segment1, contact(k).t1};
             },
@@ -33,7 +34,7 @@ Buffer<DD> polygon_gaps_at(const TangleCurves& curves, const NodeGraph& graph, s
       },
       [&] {
         sum_along(
-            curves.s().tree(), curves.origin(), count,
+            s.tree(), origin, count,
             [&](std::size_t k) {
               return PrecisePosition{contact(order[k]).segment2, contact(order[k]).t2};
             },
@@ -43,6 +44,10 @@ Buffer<DD> polygon_gaps_at(const TangleCurves& curves, const NodeGraph& graph, s
     for (std::size_t k = begin; k < end; ++k) along_u[k] -= along_s[k];
   });
   return along_u;
+}
+
+Buffer<DD> polygon_gaps_at(const TangleCurves& curves, const NodeGraph& graph, std::span<const std::uint32_t> nodes) {
+  return polygon_gaps_at(curves.u(), curves.s(), curves.origin(), graph, nodes);
 }
 
 Buffer<DD> gaps_at(const TangleCurves& curves, const NodeGraph& graph, std::span<const std::uint32_t> nodes) {

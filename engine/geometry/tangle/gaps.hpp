@@ -16,6 +16,10 @@ namespace lober::detail {
 [[nodiscard]] Buffer<DD> polygon_gaps_at(const TangleCurves& curves, const NodeGraph& graph,
                                          std::span<const std::uint32_t> nodes);
 
+/// The same of other open curves, and about another origin.
+[[nodiscard]] Buffer<DD> polygon_gaps_at(const IndexedCurve& u, const IndexedCurve& s, Point origin,
+                                         const NodeGraph& graph, std::span<const std::uint32_t> nodes);
+
 /// The gaps of the smooth curves if the tangle is made of them; then O(N + M).
 [[nodiscard]] Buffer<DD> gaps_at(const TangleCurves& curves, const NodeGraph& graph,
                                  std::span<const std::uint32_t> nodes);

@@ -134,6 +134,10 @@ struct CurveTangle : Tangle {
   [[nodiscard]] double discretisation(std::size_t lobe) const {
     return smooth ? lobes[lobe].smooth_error : shapes[lobe].discretisation;
   }
+  /// The same of its parts inside and outside the boundary, of smooth curves.
+  [[nodiscard]] double parts_error(std::size_t lobe) const {
+    return lobes[lobe].smooth_error + lobes[lobe].boundary_error;
+  }
 };
 /// The result of "manifold_tangle".
 struct SystemTangle : CurveTangle {

@@ -55,6 +55,8 @@ struct Lobe {
   double smooth_error = 0;
   /// Areas of its parts inside and outside the boundary; they add up to |area| to rounding. NaN without a boundary.
   double inside = 0, outside = 0;
+  /// With TangleOptions::smooth, what the boundary adds to `smooth_error` in each of both.
+  double boundary_error = 0;
   /// Whether U_k and S_k meet nowhere but at the pips. They cannot cross there; where they touch or share an arc the
   /// lobe falls into pieces.
   bool simple = true;
@@ -67,10 +69,13 @@ struct Lobe {
 /// curves begin at the same point; TangleOptions::closure).
 struct Boundary {
   std::size_t bip = 0;          ///< number of the pip
-  double area = 0;              ///< area that it encloses
+  double area = 0;              ///< area that it encloses; where it crosses itself, of what it winds round
   double smooth_error = 0;      ///< with TangleOptions::smooth, as Lobe::smooth_error
   int orientation = 1;          ///< +1: U[p-, q] runs counter-clockwise round it
   bool crosses_itself = false;  ///< the closure meets the rest of it; areas are then those of nonzero winding number
+  /// With TangleOptions::smooth, whether the polygons leave it open how the smooth curves lie where the closure meets
+  /// them, so that areas of the polygons stand for theirs, with errors as large as what lies between.
+  bool of_polygons = false;
 };
 
 /// The role of lobe k under the map: a lobe of L_from,to(n) lies in region `from` and is in region `to` n iterates

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include "engine/base/text.hpp"
@@ -117,14 +118,31 @@ bool closure_is_crossed(const Barrier& barrier, int k) {
   });
 }
 
-Measured enclosed_area(const Barrier& barrier, int k) {
+bool crosses_itself(const Barrier& barrier) {
+  const std::optional<Boundary>& boundary = barrier.tangle->boundary;
+  return boundary && boundary->bip == barrier.bip && boundary->crosses_itself && turns_of(barrier) == 0;
+}
+
+std::string remark_on_closure(const Barrier& barrier) {
+  if (!crosses_itself(barrier)) return {};
+  return "the boundary crosses itself, because the path that closes it meets the manifolds or itself, and bounds no "
+         "region: the area of R1 is that of what it winds round, as lober tangle gives it; the fluxes and T by lobes "
+         "hold only as far as fluid does not cross that path, and T by boundaries is not known where the path meets "
+         "the manifolds; give a path (closure) that keeps away from them";
+}
+
+Measured enclosed_area(const Barrier& barrier) {
   const Tangle& tangle = *barrier.tangle;
-  const SweptArea swept = swept_area(tangle, barrier.pip(k));
-  const std::vector<Point> line = boundary_arcs(tangle, barrier.pip(k));
+  const SweptArea swept = swept_area(tangle, barrier.bip);
+  const std::vector<Point> line = boundary_arcs(tangle, barrier.bip);
   double length = 0;
   for (std::size_t j = 1; j < line.size(); ++j) length += distance(line[j - 1], line[j]);
-  const double error = swept.error + barrier.error_up_to(barrier.pip(k)) * length;
+  const double beside = barrier.error_up_to(barrier.bip) * length, error = swept.error + beside;
   const int turns = turns_of(barrier);
+  if (crosses_itself(barrier)) {
+    const Boundary& boundary = *tangle.boundary;
+    return {boundary.area, std::max(boundary.smooth_error, tangle.rounding(boundary.area)) + beside};
+  }
   if (turns == 0) return {std::fabs(swept.area), error};
   // Swept against the chord between both saddles, which runs along the lattice.
   const double below = along_and_above(barrier.lattice, line.front()).y * detail::length(barrier.lattice);

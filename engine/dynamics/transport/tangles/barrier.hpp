@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "engine/dynamics/transport/tangles/along_lattice.hpp"
@@ -66,9 +67,15 @@ struct Barrier {
 /// Whether the path that closes f^k(B(q)) meets the rest of it elsewhere than at the saddles. Then it bounds nothing.
 [[nodiscard]] bool closure_is_crossed(const Barrier& barrier, int k);
 
-/// The area that f^k(B(q)) encloses, in absolute value: from sums along the manifolds. Where it runs round a cylinder,
-/// the area between it and the line along the lattice through the origin, negative below that.
-[[nodiscard]] Measured enclosed_area(const Barrier& barrier, int k);
+/// Whether the tangle says that about B(q), and measured what it winds round.
+[[nodiscard]] bool crosses_itself(const Barrier& barrier);
+/// A remark on that, for users; empty where the boundary does not cross itself.
+[[nodiscard]] std::string remark_on_closure(const Barrier& barrier);
+
+/// The area that B(q) encloses: from sums along the manifolds. Where it crosses itself, that of what it winds round, as
+/// Boundary::area; where it runs round a cylinder, the area between it and the line along the lattice through the
+/// origin, negative below that.
+[[nodiscard]] Measured enclosed_area(const Barrier& barrier);
 
 /// int w v, w and v the winding numbers of two closed polygons through points of smooth curves.
 struct WindingProduct {

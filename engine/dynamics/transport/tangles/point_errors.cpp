@@ -184,8 +184,12 @@ void add_point_errors(const PlanarMap& map, const Box& box, ManifoldTangle& mani
   }
   if (!tangle.boundary) return;
   const std::size_t end = tangle.boundary->bip;
-  tangle.boundary->smooth_error +=
+  const double boundary =
       errors_u[end] * along_u.to(tangle.pips[end].u) + errors_s[end] * along_s.to(tangle.pips[end].s);
+  tangle.boundary->smooth_error += boundary;
+  for (Lobe& lobe : tangle.lobes) {
+    if (lobe.inside > 0 && lobe.outside > 0) lobe.boundary_error += boundary;
+  }
 }
 
 void add_errors_far_outside(ManifoldTangle& manifolds) {

@@ -19,7 +19,7 @@ class Nesting {
   explicit Nesting(std::span<const Barrier> barriers) : barriers_(barriers) {
     for (const Barrier& barrier : barriers) {
       outlines_.push_back(outline_of(barrier, 0));
-      areas_.push_back(enclosed_area(barrier, 0));
+      areas_.push_back(enclosed_area(barrier));
     }
     parents_.resize(size());
     contains_.resize(size() * size());

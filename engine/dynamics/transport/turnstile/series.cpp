@@ -32,7 +32,7 @@ void TransportSeries::extend(const std::vector<Barrier>& barriers) {
   enclosed_.clear();
   drift_.clear();
   for (const Turnstile& turnstile : turnstiles_) {
-    enclosed_.push_back(enclosed_area(turnstile.barrier(), 0));
+    enclosed_.push_back(enclosed_area(turnstile.barrier()));
     const Measured leaving = turnstile.flux12(), entering = turnstile.flux21();
     drift_.push_back({leaving.value - entering.value, std::max(leaving.error, entering.error)});
   }

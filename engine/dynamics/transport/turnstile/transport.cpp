@@ -209,7 +209,7 @@ class TransportBuilder {
     for (std::size_t c = 0; c < growths_.size(); ++c) {
       TransportBoundary& boundary = result_.boundaries[c];
       const Turnstile& turnstile = series.turnstiles()[c];
-      boundary.enclosed = enclosed_area(turnstile.barrier(), 0);
+      boundary.enclosed = enclosed_area(turnstile.barrier());
       boundary.flux12 = turnstile.flux12();
       boundary.flux21 = turnstile.flux21();
       boundary.lobe_area12 = turnstile.lobe_area12();
@@ -235,6 +235,8 @@ class TransportBuilder {
       result_.remarks.insert(result_.remarks.end(), manifolds.tangle.remarks.begin(), manifolds.tangle.remarks.end());
       const std::string remark = overlap_remark(boundary, inside_of(c, result_.regions));
       if (!remark.empty()) result_.remarks.push_back(remark);
+      const std::string on_closure = remark_on_closure(last[c]);
+      if (!on_closure.empty()) result_.remarks.push_back(on_closure);
     }
     if (options_.particles > 0) {
       ParticleOptions how;

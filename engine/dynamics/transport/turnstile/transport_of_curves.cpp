@@ -57,7 +57,7 @@ TransportOfCurves transport(const Tangle& tangle, int iterates) {
   TransportSeries series({barrier});
   TransportOfCurves result;
   result.regions = series.partition().regions();
-  result.enclosed = enclosed_area(barrier, 0);
+  result.enclosed = enclosed_area(barrier);
   const Turnstile& turnstile = series.turnstiles()[0];
   result.flux12 = turnstile.flux12();
   result.flux21 = turnstile.flux21();
@@ -86,6 +86,7 @@ TransportOfCurves transport(const Tangle& tangle, int iterates) {
                              ", which the map is taken to keep, and of a plane that repeats itself one period is seen; "
                              "with the equations of the map, as a system, neither is assumed");
   }
+  if (const std::string remark = remark_on_closure(barrier); !remark.empty()) result.remarks.push_back(remark);
   return result;
 }
 

@@ -65,4 +65,19 @@ inline ManifoldPair leaning_fingers(int lobes, std::size_t points_per_lobe, doub
   return pair;
 }
 
+/// A wave from the left over a flat arc from the right, whose chord between p+ and p- crosses the wave three times; of
+/// `segments` on the arc and four times as many on the wave.
+inline ManifoldPair wave_and_arc(std::size_t segments) {
+  ManifoldPair pair;
+  for (std::size_t k = 0; k <= 4 * segments; ++k) {
+    const double x = static_cast<double>(k) / static_cast<double>(4 * segments);
+    pair.u.push_back({x, 0.3 * std::sin(5 * std::numbers::pi * x)});
+  }
+  for (std::size_t k = 0; k <= segments; ++k) {
+    const double t = 1 - static_cast<double>(k) / static_cast<double>(segments);
+    pair.s.push_back({1.05 * t, -0.05 * std::sin(std::numbers::pi * t)});
+  }
+  return pair;
+}
+
 }  // namespace lober::detail
