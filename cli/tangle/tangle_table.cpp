@@ -112,6 +112,7 @@ void add_overlaps(std::string& text, const TangleReport& report) {
   const Table table({{"lobe", 6, Align::right, 0}, {"lobe", 6}, {"area", 23}});
   text += table.head();
   std::vector<double> areas;
+  areas.reserve(all.size());
   for (const LobeOverlap& both : all) areas.push_back(both.area);
   const std::vector<std::uint32_t> order = largest(areas);
   for (const std::uint32_t number : order) {

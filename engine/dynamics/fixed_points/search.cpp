@@ -108,7 +108,7 @@ void thin_out(std::vector<FixedPoint>& points, int period) {
   constexpr std::size_t enough = 48;
   const auto degenerate = [&](const FixedPoint& point) { return index_of(point, period) == 0; };
   const auto count = static_cast<std::size_t>(std::count_if(points.begin(), points.end(), degenerate));
-  const std::size_t step = (count + enough - 1) / enough;
+  const std::size_t step = std::max<std::size_t>(1, (count + enough - 1) / enough);
   std::size_t number = 0;
   std::erase_if(points, [&](const FixedPoint& point) { return degenerate(point) && number++ % step != 0; });
 }
