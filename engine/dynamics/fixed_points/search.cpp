@@ -192,6 +192,8 @@ FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
     if (defined && !edge) edge = index_of_edge(map, box, options, an_image, allowance);
     search.index_of_box = defined ? *edge : std::nullopt;
     search.settled = same && (!search.index_of_box || *search.index_of_box == search.index_sum);
+    // Nothing twice says little where the edge does not tell either: so it is with thin resonances.
+    if (search.points.empty() && !search.index_of_box) search.settled = false;
     if (search.out_of_work) search.settled = false;
     if (search.settled || search.out_of_work || each.grid == max_grid) return search;
   }

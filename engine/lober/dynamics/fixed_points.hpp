@@ -92,7 +92,9 @@ struct FixedPointOptions {
 struct FixedPointSearch {
   std::vector<FixedPoint> points;  ///< as find_fixed_points gives them; may be empty
   int grid = 0;                    ///< grid of the last scan
-  bool settled = false;            ///< the last scan found what the one before had found, and no index contradicts it
+  /// The last scan found what the one before had found, and no index contradicts it; if both found nothing, the index
+  /// has to be known.
+  bool settled = false;
   /// Whether the points are isolated, as far as the search can tell. Where they fill a curve or an area it ends after
   /// one scan, and `points` has some dozens of them.
   bool isolated = true;

@@ -242,6 +242,14 @@ TEST(FixedPoints, APeriodMakesWholeTurns) {
   EXPECT_THROW((void)search_fixed_points(*standard.map, standard.window, {.turns = 1}), UsageError);
 }
 
+// Two orbits of the resonance 5/12 at least (Poincare and Birkhoff), too thin for these grids.
+TEST(FixedPointSearch, NothingFoundIsNotSettledWhereTheIndexIsNotKnown) {
+  const System standard = make_system("standard", {{"K", 0.2}});
+  const FixedPointSearch search =
+      search_fixed_points(*standard.map, standard.window, {.period = 12, .turns = 5, .lattice = standard.lattice}, 96);
+  EXPECT_TRUE(!search.settled || search.points.size() >= 24);
+}
+
 // Where a point of a smaller period is about to bifurcate, f^period(z) - z grows with the cube of the distance, and
 // Newton's method ends some 1e-5 away from it, or nowhere.
 TEST(FixedPointSearch, PointsAboutToBifurcateAreFoundOnce) {
