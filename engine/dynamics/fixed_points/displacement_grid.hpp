@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/dynamics/fixed_points/newton.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "lober/dynamics/fixed_points.hpp"
 
@@ -23,8 +24,7 @@ class DisplacementGrid {
       for (std::size_t k = begin; k < end; ++k) gaps_[k] = grid_point(k);
       map.iterate(std::span(gaps_).subspan(begin, end - begin), options.period);
       for (std::size_t k = begin; k < end; ++k) {
-        const Point z = grid_point(k);
-        gaps_[k] = {gaps_[k].x - z.x - options.shift().x, gaps_[k].y - z.y - options.shift().y};
+        gaps_[k] = gap_between(grid_point(k), gaps_[k], options);
       }
     });
   }

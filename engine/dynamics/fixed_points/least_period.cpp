@@ -37,7 +37,7 @@ std::vector<FixedPoint> as_of_period(const PlanarMap& map, std::span<const Point
     result[k].at = at[k];
     result[k].period = options.period;
     result[k].derivative = derivatives[k];
-    result[k].residual = length(images[k] - at[k] - options.shift());
+    result[k].residual = length(gap_between(at[k], images[k], options));
   }
   return result;
 }

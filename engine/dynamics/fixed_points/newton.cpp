@@ -173,9 +173,7 @@ std::vector<NewtonEnd> newton(const PlanarMap& map, std::span<const Point> guess
       }
       for (std::size_t i = 0; i < some->size(); ++i) {
         Iteration& iteration = iterations[(*some)[i]];
-        const Point from = iteration.next();
-        const Point gap{points[i].x - from.x - options.shift().x, points[i].y - from.y - options.shift().y};
-        iteration.take({gap, derivatives[i]}, reach);
+        iteration.take({gap_between(iteration.next(), points[i], options), derivatives[i]}, reach);
       }
     }
     std::erase_if(open, [&](std::size_t k) { return iterations[k].ended(); });

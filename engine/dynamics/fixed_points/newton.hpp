@@ -15,6 +15,11 @@ struct Displacement {
   Matrix2 derivative;
 };
 
+/// f^period(z) - z - shift, of a point and its image.
+inline Point gap_between(Point z, Point image, const FixedPointOptions& options) {
+  return image - z - options.shift();
+}
+
 /// The size that an error of z is relative to, in a region of this extent.
 inline double size_at(Point z, double extent) {
   return size_within(extent, length(z));

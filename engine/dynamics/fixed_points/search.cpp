@@ -63,8 +63,7 @@ std::optional<int> index_of_edge(const PlanarMap& map, const Rectangle& box, con
     });
     std::vector<Sample> samples(ts.size());
     for (std::size_t k = 0; k < ts.size(); ++k) {
-      const Point z = on_edge(box, ts[k]);
-      samples[k] = {ts[k], {points[k].x - z.x - options.shift().x, points[k].y - z.y - options.shift().y}};
+      samples[k] = {ts[k], gap_between(on_edge(box, ts[k]), points[k], options)};
     }
     return samples;
   };
