@@ -168,7 +168,7 @@ Operation fixed_points_operation() {
   operation.summary =
       "Finds the fixed and periodic points of a map, or of a flow's Poincare map, in a box, with their multipliers, "
       "residues and types.";
-  operation.revision = 2;  // least periods make whole turns; points about to bifurcate are found once
+  operation.revision = 3;  // half way on and back for maps too, whole orbits, degenerate points by what is round them
   operation.compares = false;
   operation.inputs = {{"system", InputKind::system, "the system whose points they are"}};
   operation.options = fixed_points_options().specs();

@@ -52,4 +52,15 @@ void classify(FixedPoint& point) {
   }
 }
 
+void classify_degenerate(FixedPoint& point) {
+  constexpr double same = 1e-7;
+  double other = determinant(point.derivative);
+  if (std::abs(other - 1) <= same) other = 1;
+  const bool larger = std::abs(other) > 1;
+  const double first = larger ? other : 1, second = larger ? 1 : other;
+  point.multipliers = {first, second};
+  point.directions = {direction(point.derivative, first), direction(point.derivative, second)};
+  point.kind = FixedPointKind::parabolic;
+}
+
 }  // namespace lober::detail

@@ -10,21 +10,11 @@
 
 #include "engine/dynamics/fixed_points/classify.hpp"
 #include "engine/dynamics/fixed_points/newton.hpp"
+#include "engine/dynamics/fixed_points/uncertainty.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 
 namespace lober::detail {
 namespace {
-
-/// How far a point may be from the one that Newton's method was after: some of the steps that are left there, each of
-/// which comes nearer by a part only where that point is degenerate.
-double uncertainty(const FixedPoint& point, double size) {
-  constexpr double steps = 8, most = 1e-3;
-  const Matrix2 a{point.derivative.xx - 1, point.derivative.xy, point.derivative.yx, point.derivative.yy - 1};
-  const double norm = norm_of(a);
-  const double rounding = (1 + norm) * std::numeric_limits<double>::epsilon() * size;
-  const double left = std::max(point.residual, rounding) * norm / std::abs(determinant(a));
-  return std::min(most * size, steps * left);  // `most` where the derivative is 1: 0 / 0 compares as false
-}
 
 /// As points of this very period.
 std::vector<FixedPoint> as_of_period(const PlanarMap& map, std::span<const Point> at,
@@ -40,6 +30,38 @@ std::vector<FixedPoint> as_of_period(const PlanarMap& map, std::span<const Point
     result[k].residual = length(gap_between(at[k], images[k], options));
   }
   return result;
+}
+
+/// Marks those whose determinant of D - 1 may be 0: within their uncertainty it varies by as much as half of itself, or
+/// it is rounding.
+void mark_degenerate(const PlanarMap& map, std::vector<FixedPoint>& points, const FixedPointOptions& options) {
+  constexpr double suspicious = 1e-5, rounding = 1e-14;
+  for (int period = 1; period <= options.period; ++period) {
+    std::vector<std::size_t> which;
+    std::vector<Point> around;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const Matrix2 a = less_1(points[k].derivative);
+      if (points[k].period != period || std::abs(determinant(a)) > suspicious * (1 + norm_of(a))) continue;
+      which.push_back(k);
+      const Point z = points[k].at, along = null_direction(a);
+      const double reach = uncertainty(points[k], size_at(z, options.extent));
+      around.insert(around.end(),
+                    {{z.x - reach * along.x, z.y - reach * along.y}, {z.x + reach * along.x, z.y + reach * along.y}});
+    }
+    std::vector<Matrix2> derivatives(around.size());
+    if (!around.empty()) map.iterate_with_derivatives(around, period, derivatives);
+    for (std::size_t i = 0; i < which.size(); ++i) {
+      FixedPoint& point = points[which[i]];
+      const Matrix2 a = less_1(point.derivative);
+      const double here = determinant(a), norm = 1 + norm_of(a);
+      const auto is_near = [&](const Matrix2& d) {
+        return std::abs(determinant(less_1(d)) - here) <= 0.5 * std::abs(here);
+      };
+      const bool certain =
+          std::abs(here) > rounding * norm * norm && is_near(derivatives[2 * i]) && is_near(derivatives[2 * i + 1]);
+      if (!certain) classify_degenerate(point);
+    }
+  }
 }
 
 /// The point of a smaller period that this one is to within its uncertainty: also that of its own period, which is
@@ -101,6 +123,7 @@ std::vector<FixedPoint> describe(const PlanarMap& map, std::span<const Point> at
     if (const std::optional<FixedPoint> smaller = of_smaller_period(map, point, options)) point = *smaller;
     classify(point);
   }
+  mark_degenerate(map, result, options);
   return result;
 }
 

@@ -21,18 +21,11 @@ Point newton_step(const Displacement& here, bool singular) {
   return {(a.xy * here.gap.y - a.yy * here.gap.x) / d, (a.yx * here.gap.x - a.xx * here.gap.y) / d};
 }
 
-// A residual far above what rounding or an integration leaves, whose step would lead far away, is one of a slow
-// approach to a degenerate point.
-bool is_near(const NewtonEnd& end, double size) {
-  constexpr double small = 1e-7, rounding = 1e-10, close = 1e-3;
-  return end.residual <= small * size && (end.residual <= rounding * size * (1 + end.norm) || end.step <= close * size);
-}
-
 // Newton's method from one guess, one displacement at a time.
 class Iteration {
  public:
-  Iteration(Point guess, double extent, const Rectangle* within, bool may_creep, bool singular)
-      : extent_(extent), within_(within), may_creep_(may_creep), singular_(singular), next_(guess) {}
+  Iteration(Point guess, double extent, const Rectangle* within, bool may_creep, bool any_point)
+      : extent_(extent), within_(within), may_creep_(may_creep), any_point_(any_point), next_(guess) {}
 
   [[nodiscard]] bool ended() const { return ended_; }
   /// Where the displacement is wanted next.
@@ -46,7 +39,7 @@ class Iteration {
     if (!accepted_) count_evaluation();
     if (ended_) return;
     const double residual = length(here.gap);
-    const bool better = residual < best_.residual;
+    const bool lower = residual < best_.residual, better = lower || is_nearer(here.gap);
     if (!wants_derivative() && better) {
       accepted_ = true;
       return;
@@ -56,9 +49,9 @@ class Iteration {
       best_ = {z_, residual};
     } else if (close_ || better || accepted_) {
       z_ = next_;
-      if (better) {
+      if (lower) {
         best_ = {z_, residual};
-      } else if (!std::isfinite(residual) || round_ > min_rounds) {
+      } else if (!std::isfinite(residual) || (!better && round_ > min_rounds)) {
         ended_ = true;
         return;
       }
@@ -91,12 +84,23 @@ class Iteration {
     earlier_residual_ = evaluations_ > 1 ? best_.residual : std::numeric_limits<double>::infinity();
   }
 
+  /// Whether the step that the derivative at the last point asks for is shorter from here: the natural test of
+  /// monotonicity (Deuflhard, Newton Methods for Nonlinear Problems, 2004, section 3.3), which does not depend on the
+  /// units of the two components. The floor of a valley of the displacement bends: along it, as in thin resonances,
+  /// steps that the residual itself allows are shorter than the valley by as much as that is narrower than it.
+  [[nodiscard]] bool is_nearer(Point gap) const {
+    if (!any_point_ || round_ == 0 || !is_finite(gap)) return false;
+    const double part = std::min(1.0, length(step_) / full_step_);
+    return length(newton_step({gap, derivative_}, any_point_)) < (1 - 0.25 * part) * full_step_;
+  }
+
   void step_from(const Displacement& here, double reach) {
     ++round_;
     halvings_ = 0;
     accepted_ = false;
-    step_ = newton_step(here, singular_);
-    const double size = length(step_);
+    derivative_ = here.derivative;
+    step_ = newton_step(here, any_point_);
+    const double size = full_step_ = length(step_);
     if (z_ == best_.at) {
       best_.step = size;
       best_.norm = norm_of(here.derivative);
@@ -110,8 +114,10 @@ class Iteration {
 
   double extent_;
   const Rectangle* within_;
-  bool may_creep_, singular_;
+  bool may_creep_, any_point_;
   Point z_{}, step_{}, next_;
+  Matrix2 derivative_{};  // at z_
+  double full_step_ = 0;  // length of the step that it asks for
   NewtonEnd best_{};
   double earlier_residual_ = std::numeric_limits<double>::infinity();
   int round_ = 0, halvings_ = 0, evaluations_ = 0;
@@ -123,11 +129,18 @@ class Iteration {
 /// limits that look like fixed points.
 void mark_converged(const PlanarMap& map, const FixedPointOptions& options, std::span<const Iteration> iterations,
                     std::vector<NewtonEnd>& ends) {
+  constexpr double rounding = 1e-14, small = 1e-7, close = 1e-5;
+  const double noise = noise_of(map);
   std::vector<std::size_t> candidates;
   std::vector<Point> around;
   for (std::size_t k = 0; k < ends.size(); ++k) {
     ends[k] = iterations[k].best();
-    if (iterations[k].stalled() || !is_near(ends[k], size_at(ends[k].at, options.extent))) continue;
+    // The residual is noise, which may ask for any step where the derivative is nearly 1; or else the next step is
+    // short: along the floor of a valley the residual is small, and steps are long. No step gets below rounding.
+    const double size = size_at(ends[k].at, options.extent), residual = ends[k].residual;
+    const double scale = size * (1 + ends[k].norm);
+    const bool is_near = residual <= noise * scale || (residual <= small * size && ends[k].step <= close * size);
+    if (iterations[k].stalled() ? residual > rounding * scale : !is_near) continue;
     candidates.push_back(k);
     const Point z = ends[k].at;
     const double h = 1e-6 * size_at(z, options.extent);
@@ -147,12 +160,12 @@ NewtonEnd newton(const PlanarMap& map, Point guess, const FixedPointOptions& opt
 }
 
 std::vector<NewtonEnd> newton(const PlanarMap& map, std::span<const Point> guesses, const FixedPointOptions& options,
-                              double reach, const Rectangle* within, bool singular) {
+                              double reach, const Rectangle* within, bool any_point) {
   std::vector<Iteration> iterations;
   iterations.reserve(guesses.size());
   // In searches of flows the work is better spent on a finer grid than on iterations that creep.
-  const bool may_creep = within == nullptr || map.work() + map.work_of_derivatives() == 0;
-  for (const Point guess : guesses) iterations.emplace_back(guess, options.extent, within, may_creep, singular);
+  const bool may_creep = within == nullptr || by_formula(map);
+  for (const Point guess : guesses) iterations.emplace_back(guess, options.extent, within, may_creep, any_point);
   std::vector<std::size_t> open(guesses.size());
   std::iota(open.begin(), open.end(), std::size_t{0});
   std::vector<std::size_t> with_derivative, without;

@@ -25,6 +25,16 @@ inline double size_at(Point z, double extent) {
   return size_within(extent, length(z));
 }
 
+/// Whether images are exact to rounding: those of maps that integrate nothing.
+inline bool by_formula(const PlanarMap& map) {
+  return map.work() + map.work_of_derivatives() == 0;
+}
+
+/// The displacement, relative to size_at, that rounding or the integration may leave where its derivative is 0.
+inline double noise_of(const PlanarMap& map) {
+  return by_formula(map) ? 1e-14 : 1e-10;
+}
+
 struct NewtonEnd {
   Point at;
   double residual = 0;
@@ -39,10 +49,11 @@ struct NewtonEnd {
 NewtonEnd newton(const PlanarMap& map, Point guess, const FixedPointOptions& options, double reach);
 /// The same from many guesses, whose images are asked for together: flows follow several points at a time. An iteration
 /// that leaves `within`, if that is not null, has not converged: outside, images may take as long as they like.
-/// `singular`: where D - 1 is singular to rounding, as on a curve of fixed points, a step is the shortest that comes
-/// nearest to a zero; otherwise it leads to infinity, and the iteration ends.
+/// `any_point`: the one nearest to a guess is not the one that is wanted. Then steps may be long along valleys of the
+/// displacement; and where D - 1 is singular to rounding, as on a curve of fixed points, a step is the shortest that
+/// comes nearest to a zero, where it otherwise leads to infinity, and the iteration ends.
 [[nodiscard]] std::vector<NewtonEnd> newton(const PlanarMap& map, std::span<const Point> guesses,
                                             const FixedPointOptions& options, double reach,
-                                            const Rectangle* within = nullptr, bool singular = false);
+                                            const Rectangle* within = nullptr, bool any_point = false);
 
 }  // namespace lober::detail

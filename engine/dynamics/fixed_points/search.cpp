@@ -1,38 +1,19 @@
 // Scans on finer and finer grids, and the index of the box, which tells whether points are missing.
 
 #include <algorithm>
-#include <cmath>
-#include <complex>
-#include <memory>
-#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "engine/dynamics/fixed_points/newton.hpp"
+#include "engine/dynamics/fixed_points/index.hpp"
 #include "engine/dynamics/fixed_points/scan.hpp"
-#include "kernels/elementary.hpp"
+#include "engine/dynamics/fixed_points/uncertainty.hpp"
 #include "lober/base/error.hpp"
 
 namespace lober {
 using namespace detail;
 namespace {
-
-// Where z is on its way round the box, for 0 <= t <= 4, counter-clockwise from the lower left corner.
-Point on_edge(const Rectangle& box, double t) {
-  const auto between = [](double low, double high, double f) { return low * (1 - f) + high * f; };
-  if (t <= 1) return {between(box.min_x, box.max_x, t), box.min_y};
-  if (t <= 2) return {box.max_x, between(box.min_y, box.max_y, t - 1)};
-  if (t <= 3) return {between(box.max_x, box.min_x, t - 2), box.max_y};
-  return {box.min_x, between(box.max_y, box.min_y, t - 3)};
-}
-
-// A point of the edge and its displacement.
-struct Sample {
-  double t;
-  Point gap;
-};
-
-double turn(Point a, Point b) {
-  return elementary::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
-}
 
 // Work that an image of a point of the box takes, from some that are spread over it.
 double work_of_image(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& options) {
@@ -48,57 +29,10 @@ double work_of_image(const PlanarMap& map, const Rectangle& box, const FixedPoin
   return static_cast<double>(map.work() - before) / static_cast<double>(points.size());
 }
 
-// Samples are put in until neighbouring displacements differ by less than `most` in direction; none where that takes
-// more than a quarter of the work.
-std::optional<int> index_of_edge(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& options,
-                                 double an_image, const SearchAllowance& allowance) {
-  constexpr std::size_t first_samples = 512;  // a side
-  constexpr double most = 0.5;
-  constexpr int rounds = 24;
-  const auto displaced = [&](const std::vector<double>& ts) {
-    std::vector<Point> points(ts.size());
-    for_each_block(ts.size(), std::max(std::size_t{64}, map.batch()), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) points[k] = on_edge(box, ts[k]);
-      map.iterate(std::span(points).subspan(begin, end - begin), options.period);
-    });
-    std::vector<Sample> samples(ts.size());
-    for (std::size_t k = 0; k < ts.size(); ++k) {
-      samples[k] = {ts[k], gap_between(on_edge(box, ts[k]), points[k], options)};
-    }
-    return samples;
-  };
-  double left = allowance.part(0.25) / std::max(an_image, 1e-3);
-  if (left < 4 * first_samples) return std::nullopt;
-  std::vector<double> ts;
-  for (std::size_t k = 0; k <= 4 * first_samples; ++k) ts.push_back(static_cast<double>(k) / first_samples);
-  std::vector<Sample> samples = displaced(ts);
-  for (int round = 0;; ++round) {
-    const auto usable = [](const Sample& s) { return is_finite(s.gap) && length(s.gap) > 0; };
-    if (!std::all_of(samples.begin(), samples.end(), usable)) return std::nullopt;
-    ts.clear();
-    for (std::size_t k = 0; k + 1 < samples.size(); ++k) {
-      if (std::fabs(turn(samples[k].gap, samples[k + 1].gap)) > most) {
-        ts.push_back(0.5 * (samples[k].t + samples[k + 1].t));
-      }
-    }
-    if (ts.empty()) break;
-    left -= static_cast<double>(ts.size());
-    if (left < 4 * first_samples) return std::nullopt;
-    if (round == rounds) return std::nullopt;  // a point lies on the edge, or the map is not continuous there
-    const std::vector<Sample> more = displaced(ts);
-    samples.insert(samples.end(), more.begin(), more.end());
-    std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.t < b.t; });
-  }
-  double sum = 0;
-  for (std::size_t k = 0; k + 1 < samples.size(); ++k) sum += turn(samples[k].gap, samples[k + 1].gap);
-  return static_cast<int>(std::lround(sum / (2 * std::numbers::pi)));
-}
-
 bool same_points(const std::vector<FixedPoint>& a, const std::vector<FixedPoint>& b, double extent) {
   return a.size() == b.size() && std::all_of(a.begin(), a.end(), [&](const FixedPoint& point) {
-           return std::any_of(b.begin(), b.end(), [&](const FixedPoint& other) {
-             return length({other.at.x - point.at.x, other.at.y - point.at.y}) <= 1e-6 * size_at(other.at, extent);
-           });
+           return std::any_of(b.begin(), b.end(),
+                              [&](const FixedPoint& other) { return are_same(other, point, extent); });
          });
 }
 
@@ -116,23 +50,33 @@ bool inside(const Rectangle& box, Point z) {
   return box.min_x < z.x && z.x < box.max_x && box.min_y < z.y && z.y < box.max_y;
 }
 
+// The sum for the points inside the box; none where that of a degenerate one is not known. `sign`: the factor that the
+// turns of the map's displacements have to be multiplied by.
+std::optional<int> sum_of_indices(const PlanarMap& map, int sign, const std::vector<FixedPoint>& points,
+                                  const Rectangle& box, const FixedPointOptions& options) {
+  int sum = 0;
+  for (const FixedPoint& point : points) {
+    const Point z = point.at;
+    if (!inside(box, z)) continue;
+    if (const int index = index_of(point, options.period); index != 0) {
+      sum += index;
+      continue;
+    }
+    double free = std::min({z.x - box.min_x, box.max_x - z.x, z.y - box.min_y, box.max_y - z.y});
+    for (const FixedPoint& other : points) {
+      if (&other != &point) free = std::min(free, length(other.at - z));
+    }
+    const std::optional<int> index = index_around(map, z, 0.5 * free, options);
+    if (!index) return std::nullopt;
+    sum += sign * *index;
+  }
+  return sum;
+}
+
 }  // namespace
 
 double residue(const FixedPoint& point) {
   return 0.25 * (2 - (point.derivative.xx + point.derivative.yy));
-}
-
-int index_of(const FixedPoint& point, int period) {
-  if (period < 1 || period % point.period != 0) {
-    throw UsageError("the period of an index has to be a multiple of the point's");
-  }
-  std::complex<double> product = 1;
-  for (const std::complex<double>& eigenvalue : point.multipliers) {
-    std::complex<double> power = 1;
-    for (int k = 0; k < period / point.period; ++k) power *= eigenvalue;
-    product *= 1.0 - power;
-  }
-  return product.real() > 1e-7 ? 1 : product.real() < -1e-7 ? -1 : 0;
 }
 
 FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& options,
@@ -140,13 +84,13 @@ FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
   require_scan(box, options);
   if (max_grid < options.grid) throw UsageError("the last grid of a search must not be coarser than the first one");
   FixedPointSearch search;
-  const std::unique_ptr<HalfWayMap> half_way = half_way_map(map);
-  const SearchAllowance allowance(map, half_way.get(), options);
+  const HalfWayMap half_way = half_way_map(map);
+  const SearchAllowance allowance(map, half_way, options);
   const double an_image = work_of_image(map, box, options);
   // Not wanted before all points of a grid have images.
   std::optional<std::optional<int>> edge;
   FixedPointOptions each = options;
-  const double maps = half_way ? 2 : 1;
+  double maps = half_way.helps(options.period) ? 2 : 1;
   const auto work_of_grid = [&] { return maps * an_image * each.grid * each.grid; };
   const auto name_of_grid = [&] {
     const std::string side = std::to_string(each.grid);
@@ -162,9 +106,10 @@ FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
       search.out_of_work = true;
       return search;
     }
-    const DisplacementGrid grid(map, box, each);
-    std::vector<FixedPoint> found = scan(map, box, each, grid, half_way.get(), &allowance);
-    if (first) of_smaller_periods = scan_for_smaller_periods(map, box, each, half_way.get(), &allowance);
+    const ScanGrids grids(map, half_way, box, each);
+    if (grids.whole() == nullptr) maps = 1;
+    std::vector<FixedPoint> found = scan(map, box, each, grids, half_way, &allowance);
+    if (first) of_smaller_periods = scan_for_smaller_periods(map, box, each, half_way, &allowance);
     add_points(found, of_smaller_periods, std::min(each.extent, extent_of(box)));
     if (!allowance.has(0)) {  // the seeds may not be through: of two scans the one that found more
       search.out_of_work = true;
@@ -175,22 +120,23 @@ FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
     search.grid = each.grid;
     FixedPointOptions near = each;
     near.extent = std::min(each.extent, extent_of(box));
-    if (fill_a_curve(map, search.points, near, grid.cell())) {
+    if (fill_a_curve(map, search.points, near, grids.cell())) {
       search.isolated = false;
       thin_out(search.points, options.period);
       return search;
     }
-    search.index_sum = 0;
-    bool degenerate = false;
-    for (const FixedPoint& point : search.points) {
-      if (!inside(box, point.at)) continue;
-      search.index_sum += index_of(point, options.period);
-      degenerate = degenerate || index_of(point, options.period) == 0;
+    const PlanarMap* const turned = grids.with_all_images();
+    const Point middle{0.5 * (box.min_x + box.max_x), 0.5 * (box.min_y + box.max_y)};
+    const int sign = turned == &half_way ? half_way.orientation(options.period, middle) : 1;
+    const std::optional<int> sum = sum_of_indices(turned != nullptr ? *turned : map, sign, search.points, box, near);
+    search.index_sum = sum.value_or(0);
+    const bool defined = sum && turned != nullptr;
+    if (defined && !edge) {
+      edge = index_of_edge(*turned, box, near, an_image, allowance);
+      if (*edge) **edge *= sign;
     }
-    const bool defined = !degenerate && grid.all_have_images();
-    if (defined && !edge) edge = index_of_edge(map, box, options, an_image, allowance);
     search.index_of_box = defined ? *edge : std::nullopt;
-    search.settled = same && (!search.index_of_box || *search.index_of_box == search.index_sum);
+    search.settled = same && sum && (!search.index_of_box || *search.index_of_box == *sum);
     // Nothing twice says little where the edge does not tell either: so it is with thin resonances.
     if (search.points.empty() && !search.index_of_box) search.settled = false;
     if (search.out_of_work) search.settled = false;

@@ -22,9 +22,10 @@ enum class FixedPointKind {
   inverse_saddle,    ///< real, first < -1 < second < 0: the two branches are exchanged
   reversing_saddle,  ///< real, of opposite signs: the map reverses orientation
   centre,            ///< complex, of modulus 1
-  parabolic,         ///< real, at least one of modulus 1
-  attracting,        ///< both moduli < 1
-  repelling          ///< both moduli > 1
+  /// real, at least one of modulus 1; or one may be 1 as far as the derivative at the point is known
+  parabolic,
+  attracting,  ///< both moduli < 1
+  repelling    ///< both moduli > 1
 };
 /// The name of the type.
 [[nodiscard]] LOBER_API std::string_view name(FixedPointKind kind);
@@ -73,10 +74,11 @@ struct FixedPointOptions {
 
 /// The points in a box, each once, sorted by period, x, y. Newton's method starts in each cell of a grid on whose
 /// corners both components of f^period(z) - z - shift change sign, and at each grid point where its length is least
-/// among its neighbours: it finds every point that the grid resolves. Where the steps of the map have halves
-/// (PlanarMap::half) half a way on is compared with half a way back instead, so that a saddle of multiplier lambda asks
-/// for a grid as fine as 1 / sqrt(lambda), not 1 / lambda. Points whose least period divides `period` are
-/// among them. Throws DataError, with the point of the smallest displacement, when there is none.
+/// among its neighbours: it finds every point that the grid resolves. Half a way on is compared with half a way back
+/// instead, for one step where it has halves (PlanarMap::half), so that a saddle of multiplier lambda asks for a grid
+/// as fine as 1 / sqrt(lambda), not 1 / lambda. The images of a point in the box are among them, and its copies after
+/// options.lattice, and points whose least period divides `period`. Throws DataError, with the point of the smallest
+/// displacement, when there is none.
 [[nodiscard]] LOBER_API std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Rectangle& box,
                                                                   const FixedPointOptions& options = {});
 
@@ -85,24 +87,26 @@ struct FixedPointOptions {
 [[nodiscard]] LOBER_API double residue(const FixedPoint& point);
 
 /// The index of the point as a zero of f^period(z) - z - shift: the sign of det(1 - D f^period), +1 or -1; 0 where that
-/// is 0 to rounding. `period` has to be a multiple of the point's.
+/// may be 0 as far as the derivative is known. `period` has to be a multiple of the point's.
 [[nodiscard]] LOBER_API int index_of(const FixedPoint& point, int period);
 
 /// The result of search_fixed_points.
 struct FixedPointSearch {
   std::vector<FixedPoint> points;  ///< as find_fixed_points gives them; may be empty
   int grid = 0;                    ///< grid of the last scan
-  /// The last scan found what the one before had found, and no index contradicts it; if both found nothing, the index
-  /// has to be known.
+  /// The last scan found what the one before had found, each of these points has an index, and that of the box, if it
+  /// is known, is their sum; if both found nothing, it has to be known.
   bool settled = false;
   /// Whether the points are isolated, as far as the search can tell. Where they fill a curve or an area it ends after
   /// one scan, and `points` has some dozens of them.
   bool isolated = true;
   bool out_of_work = false;  ///< the allowed work ended the search: the points are those found by then
-  int index_sum = 0;         ///< sum of the indices of the points inside the box
+  /// The sum of the indices of the points inside the box; that of a degenerate one is counted on a small circle round
+  /// it. 0 where one is not known.
+  int index_sum = 0;
   /// How often f^period(z) - z - shift turns round while z runs round the box: the sum of the indices of all points
-  /// inside, where the map is continuous there. None where a point lies next to the edge of the box or is degenerate,
-  /// or some point of the box has no image.
+  /// inside, where the map is continuous there. None where a point lies next to the edge of the box, the index of a
+  /// degenerate one is not known, or some point of the box has no image.
   std::optional<int> index_of_box;
 };
 

@@ -75,6 +75,32 @@ class HenonMap : public PlanarMap {
   double k_;
 };
 
+/// (x, y) -> (1 - a x^2 + y, b x): Henon's own map, which reverses orientation for b > 0.
+class DissipativeHenonMap : public PlanarMap {
+ public:
+  DissipativeHenonMap(double a, double b) : a_(a), b_(b) {}
+  void iterate(std::span<Point> points, int iterates) const override {
+    for (Point& z : points) {
+      for (int n = 0; n < iterates; ++n) z = {1 - a_ * z.x * z.x + z.y, b_ * z.x};
+      for (int n = 0; n > iterates; --n) z = {z.y / b_, z.x - 1 + a_ * z.y * z.y / (b_ * b_)};
+      if (!(std::isfinite(z.x) && std::isfinite(z.y))) z = {std::nan(""), std::nan("")};
+    }
+  }
+  Point iterate_with_derivative(Point z, int iterates, Matrix2& derivative) const override {
+    derivative = {};
+    for (int n = 0; n != iterates; n += iterates < 0 ? -1 : 1) {
+      const Matrix2 a =
+          iterates > 0 ? Matrix2{-2 * a_ * z.x, 1, b_, 0} : Matrix2{0, 1 / b_, 1, 2 * a_ * z.y / (b_ * b_)};
+      derivative = StandardMap::product(a, derivative);
+      iterate({&z, 1}, iterates > 0 ? 1 : -1);
+    }
+    return z;
+  }
+
+ private:
+  double a_, b_;
+};
+
 /// (x, y) -> (a x, y / b + x^3): a saddle at the origin with an unstable manifold in closed form.
 class CubicSaddle : public PlanarMap {
  public:

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -10,6 +11,7 @@
 #include "engine/dynamics/maps/plane.hpp"
 #include "kernels/box.hpp"
 #include "lober/base/error.hpp"
+#include "tests/engine/dynamics/test_maps.hpp"
 #include "tests/paths.hpp"
 
 namespace lober::detail {
@@ -280,6 +282,138 @@ TEST(FixedPointSearch, PointsAboutToBifurcateAreFoundOnce) {
     const FixedPoint near = find_fixed_point(*system.map, {c.at.x - 1e-6, c.at.y + 1e-6}, {.period = c.period});
     EXPECT_EQ(near.period, 1);
     EXPECT_LT(length(near.at - c.at), 1e-12);
+  }
+}
+
+// The 2^9 points are seen half way on and half way back, where they are stretched by the square root of 20^9.
+TEST(FixedPointSearch, FindsAllOfAHorseshoeOfALongPeriod) {
+  const System system = make_system("henon", {{"k", 10}});
+  const FixedPointSearch search = search_fixed_points(*system.map, system.window, {.period = 9});
+  EXPECT_EQ(search.points.size(), 512U);
+}
+
+// In a resonance the displacement is a valley, hundreds of thousands of times as long as it is deep. Two orbits
+// (Poincare and Birkhoff), one of saddles and one of points of the other index.
+TEST(FixedPointSearch, ThinResonancesHaveAllTheirPoints) {
+  struct Case {
+    double k;
+    int period, turns;
+  };
+  for (const Case& c : {Case{0.1, 8, 3}, Case{0.3, 13, 5}, Case{0.5, 8, 3}, Case{0.97, 21, 8}}) {
+    SCOPED_TRACE(c.k);
+    const System standard = make_system("standard", {{"K", c.k}});
+    const FixedPointOptions options{.period = c.period, .turns = c.turns, .lattice = standard.lattice};
+    const double left = -1.2, pi = std::numbers::pi;
+    const FixedPointSearch search =
+        search_fixed_points(*standard.map, Box::of({left, 1.8}, {left + 2 * pi, 3}), options);
+    EXPECT_TRUE(search.settled);
+    EXPECT_EQ(search.index_of_box, 0);
+    int saddles = 0, others = 0;
+    for (const FixedPoint& point : search.points) {
+      EXPECT_EQ(point.period, c.period);
+      ++(point.kind == FixedPointKind::saddle ? saddles : others);
+    }
+    EXPECT_EQ(saddles, c.period);
+    EXPECT_EQ(others, c.period);
+  }
+}
+
+// The images of a point are points too, whatever grids see; so are its copies.
+TEST(FixedPointSearch, OrbitsAreWhole) {
+  const double k = 4.954836841670506;
+  const System standard = make_system("standard", {{"K", k}});
+  const FixedPointOptions options{.period = 10, .turns = -4, .lattice = standard.lattice};
+  const Rectangle box = Box::of({-5.554, -2.818}, {-1.420, -2.501});
+  const FixedPointSearch search = search_fixed_points(*standard.map, box, options);
+  EXPECT_GT(search.points.size(), 100U);
+  const auto is_found = [&](Point z) {
+    return std::any_of(search.points.begin(), search.points.end(),
+                       [&](const FixedPoint& point) { return length(point.at - z) < 1e-6; });
+  };
+  EXPECT_TRUE(is_found({-2.66414967622619, -2.75433539188753}));
+  for (const FixedPoint& point : search.points) {
+    Point z = point.at;
+    for (int n = 1; n < point.period; ++n) {
+      standard.map->iterate({&z, 1}, 1);
+      for (const int copies : {-3, -2, -1, 0, 1, 2, 3}) {
+        const Point place{z.x + copies * standard.lattice.x, z.y};
+        const bool well_inside = box.min_x + 1e-6 < place.x && place.x < box.max_x - 1e-6 &&
+                                 box.min_y + 1e-6 < place.y && place.y < box.max_y - 1e-6;
+        EXPECT_TRUE(!well_inside || is_found(place)) << point.at.x << " " << point.at.y << " " << n;
+      }
+    }
+  }
+}
+
+// Where a saddle and a centre meet, or three saddles at a centre, rounding does not decide what is there.
+TEST(FixedPointSearch, DegeneratePointsAreParabolic) {
+  struct Case {
+    const char* system;
+    const char* parameter;
+    double value;
+    int period;
+    Rectangle box;
+    std::size_t points, degenerate;
+  };
+  const double pi = std::numbers::pi;
+  for (const Case& c : {Case{"henon", "k", -1, 1, Box::of({-6, -6}, {6, 6}), 1, 1},
+                        Case{"henon", "k", -1, 4, Box::of({-6, -6}, {6, 6}), 1, 1},
+                        Case{"henon", "k", 1, 3, Box::of({-3.4, -3.4}, {3.4, 3.4}), 5, 3},
+                        Case{"standard", "K", 2 * pi, 2, Box::of({-1.013, -6.61}, {5.57, 6.65}), 4, 2}}) {
+    SCOPED_TRACE(std::string(c.system) + " " + std::to_string(c.value) + ", period " + std::to_string(c.period));
+    const System system = make_system(c.system, {{c.parameter, c.value}});
+    const FixedPointSearch search = search_fixed_points(*system.map, c.box, {.period = c.period});
+    EXPECT_TRUE(search.settled);
+    EXPECT_TRUE(search.isolated);
+    EXPECT_EQ(search.points.size(), c.points);
+    ASSERT_TRUE(search.index_of_box);  // those of degenerate points are counted round them
+    EXPECT_EQ(*search.index_of_box, search.index_sum);
+    std::size_t degenerate = 0;
+    for (const FixedPoint& point : search.points) {
+      if (index_of(point, c.period) != 0) continue;
+      ++degenerate;
+      EXPECT_EQ(point.kind, FixedPointKind::parabolic);
+      EXPECT_EQ(point.multipliers[0], 1.0);
+    }
+    EXPECT_EQ(degenerate, c.degenerate);
+  }
+}
+
+// Newton's method comes near to a zero where the displacement is small but is not one: residuals were 1e-7.
+TEST(FixedPointSearch, FloorsOfValleysAreNoPoints) {
+  const System henon = make_system("henon", {{"k", 0.5}});
+  const FixedPointSearch search = search_fixed_points(*henon.map, Box::of({-4.1, -4.03}, {4.07, 4.11}), {.period = 7});
+  EXPECT_TRUE(search.settled);
+  EXPECT_EQ(search.points.size(), 30U);  // 2 of period 1, four orbits of period 7
+  for (const FixedPoint& point : search.points) EXPECT_LT(point.residual, 1e-12);
+}
+
+// Four of 10 points were missing and 6 called all of them: the others are nearer to these than rounding resolves.
+TEST(FixedPointSearch, WhatRoundingHidesIsNotSettled) {
+  const System close = make_system("henon", {{"k", 1e-12}});
+  const FixedPointSearch hidden = search_fixed_points(*close.map, close.window, {.period = 4});
+  EXPECT_TRUE(!hidden.settled || hidden.points.size() == 10);
+  const System apart = make_system("henon", {{"k", 1e-6}});
+  const FixedPointSearch seen = search_fixed_points(*apart.map, apart.window, {.period = 4});
+  EXPECT_TRUE(seen.settled);
+  EXPECT_EQ(seen.points.size(), 10U);
+}
+
+// Half way is an odd number of images back for periods 2, 3, 6, 7: indices there have the other sign.
+TEST(FixedPointSearch, IndicesOfAMapThatReversesOrientation) {
+  const test::DissipativeHenonMap map(1.4, 0.3);
+  for (const int period : {1, 2, 3, 4, 5, 6, 7}) {
+    SCOPED_TRACE(period);
+    const FixedPointSearch search = search_fixed_points(map, Box::of({-2.03, -2.01}, {2.02, 2.04}), {.period = period});
+    EXPECT_TRUE(search.settled);
+    ASSERT_TRUE(search.index_of_box);
+    EXPECT_EQ(*search.index_of_box, search.index_sum);
+    // One point alone, whose index is not 0.
+    const Point z = search.points.back().at;
+    const FixedPointSearch one =
+        search_fixed_points(map, Box::of({z.x - 1e-3, z.y - 1e-3}, {z.x + 1e-3, z.y + 1e-3}), {.period = period});
+    ASSERT_EQ(one.points.size(), 1U);
+    EXPECT_EQ(one.index_of_box, index_of(one.points[0], period));
   }
 }
 
