@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <string>
+#include <utility>
 
 #include "engine/base/stopwatch.hpp"
 #include "engine/operations/connection_choice.hpp"
@@ -91,6 +93,8 @@ Outcome run_manifold_tangle(std::span<const Input> inputs, const Options& option
   found.smooth = how.smooth;
   measure_lobes(found, how.overlaps);
   found.agreement = agreement_of(*grown);
+  if (std::string remark = remark_on_boundary(*grown, system.lattice); !remark.empty())
+    found.remarks.push_back(std::move(remark));
   Outcome outcome = outcome_of(std::move(found), options);
   outcome.chosen = settings_of(connection);
   outcome.chosen.push_back({"tolerance", how.tolerance});

@@ -1,6 +1,9 @@
 // The tangle of two manifolds that are given as curves.
 #include "lober/tangle/tangle.hpp"
 
+#include <string>
+#include <utility>
+
 #include "engine/operations/curve_of.hpp"
 #include "engine/operations/curves_tangle.hpp"
 #include "engine/operations/lobe_fields.hpp"
@@ -54,6 +57,7 @@ Outcome run_tangle(std::span<const Input> inputs, const Options& options, const 
   found.smooth = how.smooth;
   measure_lobes(found, how.overlaps);
   compare_images(found);
+  if (std::string remark = remark_on_boundary(found); !remark.empty()) found.remarks.push_back(std::move(remark));
   return outcome_of(std::move(found), options);
 }
 
