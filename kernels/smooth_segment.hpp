@@ -9,6 +9,13 @@
 
 namespace lober::detail {
 
+/// The polynomial of these coefficients, of 1, x, ..., x^5, at x.
+[[nodiscard]] inline double value_at(const std::array<double, 6>& polynomial, double x) {
+  double value = polynomial.back();
+  for (std::size_t power = polynomial.size() - 1; power-- > 0;) value = value * x + polynomial[power];
+  return value;
+}
+
 /// A piece of smooth curve from vertex a to the next one: a + u e + f(u) e', 0 <= u <= 1, where e is the segment, e' is
 /// e turned by +90 degrees, and f is a polynomial with f(0) = f(1) = 0. Zero for a segment that stays straight.
 struct SmoothSegment {
@@ -22,6 +29,15 @@ struct SmoothSegment {
   double error = 0;           ///< estimate of the error of chord_area(1)
   Kind kind = Kind::straight;
 
+  [[nodiscard]] double f_at(double u) const { return value_at(f, u); }
+  /// Side by side for many, the same bits.
+  template <std::size_t count>
+  void f_at(const std::array<double, count>& u, std::array<double, count>& values) const {
+    values.fill(f.back());
+    for (std::size_t power = f.size() - 1; power-- > 0;) {
+      for (std::size_t k = 0; k < count; ++k) values[k] = values[k] * u[k] + f[power];
+    }
+  }
   [[nodiscard]] Point at(double u) const;        ///< relative to the first end
   [[nodiscard]] Point velocity(double u) const;  ///< its derivative
   /// Twice the signed area between the curve from 0 to u and the straight way back, positive when the curve bends to

@@ -90,6 +90,11 @@ Schema<CurveTangle> tangle_boundary() {
   Schema<CurveTangle> made;
   made.field("area", "area", "area that the boundary encloses; where it crosses itself, of what it winds round",
              [](const CurveTangle& t) { return t.boundary->area; })
+      .field("rounding", "area", "bound on |area - exact area of the polygon|",
+             [](const CurveTangle& t) { return t.rounding(t.boundary->area); })
+      .field("discretisation", "area",
+             "estimate of |area of the polygon - area between smooth curves|; with smooth, of the error of the latter",
+             &CurveTangle::boundary_discretisation)
       .field("points", "", "number of points of its polygon",
              [](const CurveTangle& t) { return boundary_outline(t).size(); })
       .field("orientation", "", "orientation of the polygon along U: clockwise or counter_clockwise",

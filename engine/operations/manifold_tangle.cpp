@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <string>
+#include <utility>
 
 #include "engine/base/stopwatch.hpp"
 #include "engine/operations/connection_choice.hpp"
@@ -91,6 +93,8 @@ Outcome run_manifold_tangle(std::span<const Input> inputs, const Options& option
   found.smooth = how.smooth;
   measure_lobes(found, how.overlaps);
   found.agreement = agreement_of(*grown);
+  if (std::string remark = remark_on_boundary(*grown, system.lattice); !remark.empty())
+    found.remarks.push_back(std::move(remark));
   Outcome outcome = outcome_of(std::move(found), options);
   outcome.chosen = settings_of(connection);
   outcome.chosen.push_back({"tolerance", how.tolerance});
@@ -102,7 +106,7 @@ Outcome run_manifold_tangle(std::span<const Input> inputs, const Options& option
 Operation manifold_tangle_operation() {
   Operation operation;
   operation.name = "manifold_tangle";
-  operation.revision = 5;  // smooth areas where the path that closes the boundary meets the manifolds
+  operation.revision = 6;  // bars of boundaries, and what the path that closes them hides
   operation.title = "tangle of the manifolds of a system, grown from its equations";
   operation.summary =
       "Grows the unstable and the stable manifold of a system's saddles and finds their tangle: pips, lobes, boundary "

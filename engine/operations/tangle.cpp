@@ -1,6 +1,9 @@
 // The tangle of two manifolds that are given as curves.
 #include "lober/tangle/tangle.hpp"
 
+#include <string>
+#include <utility>
+
 #include "engine/operations/curve_of.hpp"
 #include "engine/operations/curves_tangle.hpp"
 #include "engine/operations/lobe_fields.hpp"
@@ -54,6 +57,7 @@ Outcome run_tangle(std::span<const Input> inputs, const Options& options, const 
   found.smooth = how.smooth;
   measure_lobes(found, how.overlaps);
   compare_images(found);
+  if (std::string remark = remark_on_boundary(found); !remark.empty()) found.remarks.push_back(std::move(remark));
   return outcome_of(std::move(found), options);
 }
 
@@ -62,7 +66,7 @@ Outcome run_tangle(std::span<const Input> inputs, const Options& options, const 
 Operation tangle_operation() {
   Operation operation;
   operation.name = "tangle";
-  operation.revision = 2;  // smooth areas where the path that closes the boundary meets the manifolds
+  operation.revision = 3;  // bars of boundaries, and what the path that closes them hides
   operation.title = "pips, lobes, boundary and turnstile of an unstable and a stable manifold";
   operation.summary =
       "Finds the tangle of two manifolds, which are given as curves: primary intersection points, lobes, boundary and "

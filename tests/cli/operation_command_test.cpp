@@ -148,13 +148,19 @@ TEST_F(OperationCommand, SaysOnceThatABoundaryCrossesItself) {
   for (int k = 100; k >= 0; --k) arc.push_back({1.05 * k / 100, -0.05 * std::sin(std::numbers::pi * k / 100)});
   write_curve("wave", wave);
   write_curve("arc", arc);
-  const Json boundary = Json::parse(run({"tangle", "wave", "arc", "--smooth", "--json", "-"}).out)["boundary"];
+  const std::string crosses_itself = "the boundary crosses itself";
+  const Outcome tangle = run({"tangle", "wave", "arc", "--smooth", "--json", "-"});
+  const std::size_t said_of_lobes = tangle.err.find(crosses_itself);
+  ASSERT_NE(said_of_lobes, std::string::npos) << tangle.err;
+  EXPECT_EQ(tangle.err.find(crosses_itself, said_of_lobes + 1), std::string::npos) << tangle.err;
+  EXPECT_NE(tangle.err.find("L12, L21"), std::string::npos) << tangle.err;
+  const Json boundary = Json::parse(tangle.out)["boundary"];
   const std::vector<std::vector<std::string>> commands{{"curve-transport"}, {"transport", "--manifolds"}};
   for (std::vector<std::string> arguments : commands) {
     arguments.insert(arguments.end(), {"wave", "arc", "--json", "-"});
     const Outcome found = run(arguments);
     EXPECT_EQ(found.status, 3) << found.err;  // no map that preserves area has such lobes
-    for (const std::string said : {"U begins at (0, 0)", "the boundary crosses itself"}) {
+    for (const std::string& said : {std::string("U begins at (0, 0)"), crosses_itself}) {
       const std::size_t first = found.err.find(said);
       ASSERT_NE(first, std::string::npos) << found.err;
       EXPECT_EQ(found.err.find(said, first + 1), std::string::npos) << found.err;
@@ -162,6 +168,17 @@ TEST_F(OperationCommand, SaysOnceThatABoundaryCrossesItself) {
     const Json regions = Json::parse(found.out)["regions"];
     EXPECT_EQ(regions[0]["area"], boundary["area"]) << regions;
   }
+}
+
+TEST_F(OperationCommand, SaysNothingOfABoundaryThatDoesNotCrossItself) {
+  std::vector<Point> wave, arc;
+  for (int k = 0; k <= 400; ++k) wave.push_back({k / 400.0, 0.3 * std::sin(5 * std::numbers::pi * k / 400)});
+  for (int k = 100; k >= 0; --k) arc.push_back({1.05 * k / 100, -0.05 * std::sin(std::numbers::pi * k / 100)});
+  write_curve("wave", wave);
+  write_curve("arc", arc);
+  const Outcome tangle = run({"tangle", "wave", "arc", "--smooth", "--closure", "1.05,-0.5,0,-0.5"});
+  EXPECT_EQ(tangle.status, 3) << tangle.err;
+  EXPECT_EQ(tangle.err.find("crosses itself"), std::string::npos) << tangle.err;
 }
 
 TEST_F(OperationCommand, RefusesWhatItDoesNotKnow) {

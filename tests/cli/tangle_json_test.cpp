@@ -34,7 +34,8 @@ TEST_F(TangleJson, HasTheMembersOfTheContract) {
                 lobe["rounding"].get<double>());
   }
   EXPECT_EQ(members(result["bip"]), (Names{"index", "x", "y"}));
-  EXPECT_EQ(members(result["boundary"]), (Names{"area", "points", "orientation", "crosses_itself", "closure"}));
+  EXPECT_EQ(members(result["boundary"]),
+            (Names{"area", "rounding", "discretisation", "points", "orientation", "crosses_itself", "closure"}));
   EXPECT_EQ(members(result["turnstile"]), (Names{"lobes", "lobe_area12", "lobe_area21", "reason"}));
   EXPECT_EQ(members(result["overlaps"][0]), (Names{"i", "j", "area", "error", "perimeter"}));
   EXPECT_EQ(members(result["error"]), (Names{"rounding", "discretisation", "consistency"}));
@@ -46,6 +47,16 @@ TEST_F(TangleJson, HasTheMembersOfTheContract) {
     EXPECT_TRUE(result["timing"][name].is_number()) << name;
   }
   EXPECT_TRUE(tangle({demo})["overlaps"].is_null());  // not asked for
+}
+
+TEST_F(TangleJson, GivesTheBoundaryItsErrorBars) {
+  for (const bool smooth : {false, true}) {
+    const Json result = smooth ? tangle({demo, "--smooth"}) : tangle({demo});
+    for (const char* bar : {"rounding", "discretisation"}) {
+      EXPECT_GT(result["boundary"][bar].get<double>(), 0) << bar;
+      EXPECT_EQ(result["boundary"][bar], result["error"][bar]["boundary"]) << bar;
+    }
+  }
 }
 
 // The rows of the graph by the names of their columns.

@@ -33,7 +33,7 @@ TEST_F(TangleProgram, SaysWhenImagesHaveOtherAreas) {
   EXPECT_EQ(outcome.status, 3) << outcome.err;
   EXPECT_TRUE(outcome.out.starts_with("DISAGREEMENT: area of lobe ")) << outcome.out;
   EXPECT_EQ(Json::parse(read("t.json"))["agreement"], false);
-  EXPECT_EQ(tangle({"u", "s", "--period", "2"})["agreement"], true);
+  EXPECT_EQ(tangle({"u", "s", "--period", "2", "--closure", "20.5,3,-1,3"})["agreement"], true);
 }
 
 TEST_F(TangleProgram, FindsPipsLobesAndBoundary) {

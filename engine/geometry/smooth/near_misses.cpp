@@ -29,13 +29,6 @@ Box grown_by(Box box, double by) {
 
 using Samples = std::array<double, samples + 1>;
 
-void evaluate(const std::array<double, 6>& polynomial, const Samples& at, Samples& values) {
-  values.fill(polynomial[5]);
-  for (std::size_t power = 5; power-- > 0;) {
-    for (std::size_t k = 0; k < values.size(); ++k) values[k] = values[k] * at[k] + polynomial[power];
-  }
-}
-
 // Two arcs, the second one from `from2`, as seen from the first end of the first one.
 struct ArcPair {
   const SmoothSegment &arc1, &arc2;
@@ -62,13 +55,13 @@ struct ArcPair {
     // Loop by loop, several samples at a time.
     Samples at, depth, bent, height;
     for (std::size_t k = 0; k <= samples; ++k) at[k] = first + static_cast<double>(k) / samples * (last - first);
-    evaluate(arc2.f, at, bent);
+    arc2.f_at(at, bent);
     for (std::size_t k = 0; k <= samples; ++k) {
       depth[k] = from + at[k] * (to - from) + bent[k] * above_left;
       at[k] = begin + at[k] * (end - begin) + bent[k] * along_left;
     }
     for (double& x : at) x = std::clamp(x, 0.0, 1.0);
-    evaluate(arc1.f, at, height);
+    arc1.f_at(at, height);
     const double side = apart > 0 ? 1 : -1;
     for (std::size_t k = 0; k <= samples; ++k) depth[k] = side * (height[k] - depth[k]);
     // Between samples it may be deeper.

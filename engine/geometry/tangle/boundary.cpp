@@ -4,12 +4,11 @@
 #include <cmath>
 #include <string>
 
-#include "engine/base/parallel/parallel.hpp"
 #include "engine/base/text.hpp"
 #include "engine/geometry/crossings/crossings_data.hpp"
 #include "engine/geometry/curve/require.hpp"
-#include "engine/geometry/smooth/arc_boxes.hpp"
-#include "engine/geometry/smooth/near_misses.hpp"
+#include "engine/geometry/smooth/beyond_path.hpp"
+#include "engine/geometry/tangle/closing_path.hpp"
 #include "engine/geometry/tangle/gaps.hpp"
 #include "engine/geometry/tangle/lobe_topology.hpp"
 #include "engine/geometry/tangle/winding_sums.hpp"
@@ -18,21 +17,6 @@
 
 namespace lober::detail {
 namespace {
-
-// Where the closure meets a manifold, but where the manifold begins.
-std::vector<Position> closure_meetings(const IndexedCurve& closure, const IndexedCurve& curve) {
-  const Point start = curve.view().points[0];
-  std::vector<Position> meetings;
-  const ContactList contacts = find_contacts(closure, curve, IndexKind::tree).list;
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const Contact contact = contacts[k];
-    const auto points = curve.view().points.first(contact.segment2 + 1);
-    const bool at_start = contact.vertex1 && contact.vertex2 &&
-                          std::all_of(points.begin(), points.end(), [&](Point p) { return p == start; });
-    if (!at_start) meetings.push_back({contact.segment2, contact.t2.hi});
-  }
-  return meetings;
-}
 
 double nonzero_area(const std::vector<Point>& polygon) {
   if (!bounds_something(polygon)) return 0;
@@ -44,12 +28,10 @@ struct ClosureCuts {
   bool boundary = false;
   std::vector<bool> lobes;
 };
-ClosureCuts cuts_of_closure(const Tangle& tangle) {
+ClosureCuts cuts_of_closure(const Tangle& tangle, const ClosingPath& closure) {
   ClosureCuts cuts{false, std::vector<bool>(tangle.lobes.size())};
-  const TangleCurves& curves = *tangle.curves;
-  const std::vector<Point> path = closing_path(tangle);
-  if (path.size() == 2 && path[0] == path[1]) return cuts;
-  if (path_meets_itself(path)) {
+  if (!closure.has_length()) return cuts;
+  if (closure.meets_itself()) {
     // It may only touch itself, or go some way and come back.
     constexpr double negligible = 1e-12;
     const std::vector<Point> outline = boundary_outline(tangle);
@@ -57,17 +39,19 @@ ClosureCuts cuts_of_closure(const Tangle& tangle) {
     const double enclosed = std::fabs(signed_area(CurveView{outline, true}));
     cuts.boundary = std::fabs(wound - enclosed) > negligible * std::max(wound, enclosed);
   }
-  const IndexedCurve closure({path, false});
   // Parameters are rounded: crossings that near to a pip count for both sides.
   constexpr double uncertainty = 1e-12;
   const auto not_after = [](Position x, Position y) {
     return x.segment != y.segment ? x.segment < y.segment : x.t <= y.t + uncertainty;
   };
   const Pip& bip = tangle.pips[tangle.boundary->bip];
-  const auto mark = [&](const std::vector<Position>& meetings, Position Pip::*on) {
+  const auto mark = [&](const IndexedCurve& manifold, const ContactList& contacts, Position Pip::*on) {
     const bool outward = on == &Pip::u;  // pips come the other way round along S
     const auto& pips = tangle.pips;
-    for (const Position at : meetings) {
+    for (std::size_t number = 0; number < contacts.size(); ++number) {
+      const Contact contact = contacts[number];
+      if (ClosingPath::at_start(manifold, contact)) continue;
+      const Position at{contact.segment1, contact.t1.hi};
       cuts.boundary = cuts.boundary || not_after(at, bip.*on);
       // A lobe is cut unless both its pips lie before the position or both behind it.
       const auto ended = std::partition_point(pips.begin(), pips.end(), [&](const Pip& pip) {
@@ -81,8 +65,8 @@ ClosureCuts cuts_of_closure(const Tangle& tangle) {
       for (std::size_t k = from; k < to; ++k) cuts.lobes[k] = true;
     }
   };
-  mark(closure_meetings(closure, curves.u()), &Pip::u);
-  mark(closure_meetings(closure, curves.s()), &Pip::s);
+  mark(tangle.curves->u(), closure.on_u().contacts, &Pip::u);
+  mark(tangle.curves->s(), closure.on_s().contacts, &Pip::s);
   return cuts;
 }
 
@@ -124,12 +108,7 @@ double twice_between(const CurveView& view, std::uint32_t from, std::uint32_t to
   for (std::int64_t k = first; k < last; ++k) {
     const SmoothSegment segment = curve.segment(k);
     double height = 0;
-    for (int j = 0; j < samples; ++j) {
-      const double u = (j + 0.5) / samples;
-      double f = 0;
-      for (std::size_t power = segment.f.size(); power-- > 0;) f = f * u + segment.f[power];
-      height += std::fabs(f);
-    }
+    for (int j = 0; j < samples; ++j) height += std::fabs(segment.f_at((j + 0.5) / samples));
     twice += 2 * height / samples * dot(segment.chord, segment.chord) + 2 * segment.error;
   }
   return twice;
@@ -137,51 +116,24 @@ double twice_between(const CurveView& view, std::uint32_t from, std::uint32_t to
 
 // Twice the area, from above, that smooth arcs of the manifolds have beyond the closure where their polygons do not
 // meet it: of those that bound lobes or the boundary.
-double twice_hidden_at(const std::vector<Point>& path, const Tangle& tangle) {
-  if (path.size() == 2 && path[0] == path[1]) return 0;
-  const TangleCurves& curves = *tangle.curves;
-  const IndexedCurve closure(CurveView{path, false});
-  const SmoothCurve straight(closure.view(), true);
-  ArcBoxes straight_boxes(straight);
-  straight_boxes.add(0, straight.segments());
-  straight_boxes.join();
+double twice_hidden_at(const ClosingPath& closure, const Tangle& tangle) {
+  if (!closure.has_length()) return 0;
   const auto hidden_along = [&](const IndexedCurve& whole, Position last) {
-    constexpr std::size_t fitted_beside = 8;
-    const std::size_t points = std::min(whole.view().points.size(), last.segment + std::size_t{2} + fitted_beside);
-    const CurveView view{whole.view().points.first(points), false};
-    const SmoothCurve smooth(view);
-    ArcBoxes boxes(smooth);
-    for_each_block(smooth.segments(), 64 * ArcBoxes::segments_a_leaf,
-                   [&](std::size_t begin, std::size_t end) { boxes.add(begin, end); });
-    boxes.join();
-    NodeSegments about(smooth.segments()), about_path(straight.segments());
-    // Numbers of segments beyond the ends would be those of the other end.
-    const auto add = [](NodeSegments& segments, std::size_t size, double at, double beside) {
-      const double end = std::max(static_cast<double>(size) - 2, 1.0);
-      segments.add(std::clamp(at - beside, 1.0, end), std::clamp(at + beside, 1.0, end));
-    };
-    constexpr double moves_by = 2;  // smooth_crossing.cpp
-    add(about, smooth.segments(), 0, 0);
-    add(about_path, straight.segments(), 0, 0);
-    add(about_path, straight.segments(), static_cast<double>(straight.segments()), 0);
-    const ContactList contacts = find_contacts(closure, whole, IndexKind::tree).list;
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-      const Contact contact = contacts[k];
-      add(about, smooth.segments(), contact.segment2 + contact.t2.hi, moves_by);
-      add(about_path, straight.segments(), contact.segment1 + contact.t1.hi, 0);
-    }
-    about.join();
-    about_path.join();
-    return hidden_area({smooth, boxes, about}, {straight, straight_boxes, about_path});
+    constexpr std::size_t moves_by = 2, fitted_beside = 8;  // smooth_crossing.cpp
+    const std::size_t segments = std::min(last.segment + 1 + moves_by, whole.segments());
+    const std::size_t points = std::min(whole.view().points.size(), segments + fitted_beside);
+    return twice_beyond_path(SmoothCurve(CurveView{whole.view().points.first(points), false}), closure.points(),
+                             segments);
   };
-  return hidden_along(curves.u(), tangle.pips.back().u) + hidden_along(curves.s(), tangle.pips.front().s);
+  return hidden_along(tangle.curves->u(), tangle.pips.back().u) +
+         hidden_along(tangle.curves->s(), tangle.pips.front().s);
 }
 
 // The parts of a lobe and the boundary by their polygons, where the path that closes the boundary is in the way of sums
 // up to crossings; of smooth curves then what they add to that.
 class Overlaid {
  public:
-  explicit Overlaid(const Tangle& tangle) : tangle_(tangle) {}
+  Overlaid(const Tangle& tangle, const ClosingPath& closure) : tangle_(tangle), closure_(closure) {}
 
   [[nodiscard]] Measured boundary() {
     const double polygons = nonzero_area(outline());
@@ -203,7 +155,7 @@ class Overlaid {
     return outline_;
   }
   const WindingSums& sums() {
-    if (!sums_) sums_.emplace(tangle_);
+    if (!sums_) sums_.emplace(tangle_, closure_);
     return *sums_;
   }
   template <typename Between, typename Find>
@@ -229,6 +181,7 @@ class Overlaid {
   }
 
   const Tangle& tangle_;
+  const ClosingPath& closure_;
   std::vector<Point> outline_;  // made when it is needed, as are the others
   std::optional<WindingSums> sums_;
   std::optional<double> between_boundary_;
@@ -262,23 +215,6 @@ std::size_t choose_bip(const Tangle& tangle, const TangleOptions& options) {
   return static_cast<std::size_t>(nearest - pips.begin());
 }
 
-std::vector<Point> closing_path(const Tangle& tangle) {
-  const TangleCurves& curves = *tangle.curves;
-  std::vector<Point> path{curves.s().view().points[0]};
-  for (const Point corner : tangle.closure)
-    path.push_back({std::ldexp(corner.x, curves.exponent), std::ldexp(corner.y, curves.exponent)});
-  path.push_back(curves.u().view().points[0]);
-  return path;
-}
-
-bool path_meets_itself(const std::vector<Point>& path) {
-  if (path.size() < 4) return false;  // two segments meet where they join, or run back along each other
-  std::vector<Point> round = path;
-  const bool closed = path.front() == path.back();
-  if (closed) round.pop_back();
-  return !self_meetings(IndexedCurve(CurveView{round, closed}), 1).pairs.empty();
-}
-
 DD twice_swept(const Tangle& tangle, std::size_t pip) {
   DD twice = gap_of(tangle.pips.at(pip));  // about p-, so that a chord adds nothing
   const std::vector<Point> path = closing_path(tangle);
@@ -292,9 +228,10 @@ void bound_lobes(Tangle& tangle) {
   const std::size_t bip = boundary.bip;
   const DD twice_area = twice_swept(tangle, bip);
   boundary.orientation = twice_area.hi < 0 ? -1 : 1;
-  const ClosureCuts closure = cuts_of_closure(tangle);
-  boundary.crosses_itself = closure.boundary;
-  Overlaid overlaid(tangle);
+  const ClosingPath closure(tangle);
+  const ClosureCuts cuts = cuts_of_closure(tangle, closure);
+  boundary.crosses_itself = cuts.boundary;
+  Overlaid overlaid(tangle, closure);
   if (boundary.crosses_itself) {
     const Measured found = overlaid.boundary();
     boundary.area = found.value;
@@ -330,7 +267,7 @@ void bound_lobes(Tangle& tangle) {
   for (std::size_t m = 0; m < tangle.lobes.size(); ++m) {
     Lobe& lobe = tangle.lobes[m];
     const double area = std::fabs(lobe.area);
-    lobe.meets_closure = closure.lobes[m];
+    lobe.meets_closure = cuts.lobes[m];
     if (boundary.crosses_itself || lobe.meets_closure || holds_start_of_u(tangle, m) || holds_start_of_s(tangle, m)) {
       const Measured common = overlaid.inside(m);
       const bool speck = common.value <= tangle.rounding(area);  // corners of outlines are rounded
@@ -356,7 +293,7 @@ void bound_lobes(Tangle& tangle) {
     lobe.outside = std::clamp(curves.area(begins_inside ? -part : twice - part), 0.0, area);
   }
   if (curves.smooth) {
-    const double hidden = curves.area({twice_hidden_at(closing_path(tangle), tangle), 0});
+    const double hidden = curves.area({twice_hidden_at(closure, tangle), 0});
     boundary.smooth_error += hidden;
     for (Lobe& lobe : tangle.lobes) lobe.boundary_error += hidden;
   }

@@ -9,12 +9,6 @@ namespace lober::detail {
 /// point that was given than from where U and S begin. There must be a pip.
 [[nodiscard]] std::size_t choose_bip(const Tangle& tangle, const TangleOptions& options);
 
-/// The path that closes the boundary, from p+ to p-, at the scale of TangleCurves.
-[[nodiscard]] std::vector<Point> closing_path(const Tangle& tangle);
-
-/// Whether that path meets itself but where its segments join, and where both its ends are one point.
-[[nodiscard]] bool path_meets_itself(const std::vector<Point>& path);
-
 /// Twice the signed area of what U[p-, q], S[q, p+] and the closure enclose, q the pip of this number, at the scale of
 /// TangleCurves.
 [[nodiscard]] DD twice_swept(const Tangle& tangle, std::size_t pip);

@@ -1,5 +1,7 @@
 // Lobes and boundary as polygons.
 
+#include <string>
+
 #include "engine/geometry/tangle/boundary.hpp"
 #include "lober/overlay/regions.hpp"
 
@@ -55,6 +57,13 @@ std::vector<Point> boundary_arcs(const Tangle& tangle, std::size_t number) {
   append(points, point_of_pip(tangle, number));
   for (std::size_t k = s.size(); k-- > 0;) append(points, s[k]);
   return points;
+}
+
+std::string remark_on_boundary(const Tangle& tangle) {
+  if (!tangle.boundary || !tangle.boundary->crosses_itself) return {};
+  return "the boundary crosses itself, because the path that closes it meets the manifolds or itself, and bounds no "
+         "region: its area is that of what it winds round, and L12, L21 and fluxes by lobes hold only as far as fluid "
+         "does not cross that path; give a path (closure) that keeps away from them";
 }
 
 SweptArea swept_area(const Tangle& tangle, std::size_t number) {

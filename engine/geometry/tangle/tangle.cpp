@@ -10,6 +10,7 @@
 #include "engine/geometry/index/sums_along.hpp"
 #include "engine/geometry/smooth/smooth_gaps.hpp"
 #include "engine/geometry/tangle/boundary.hpp"
+#include "engine/geometry/tangle/closing_path.hpp"
 #include "engine/geometry/tangle/gaps.hpp"
 #include "engine/geometry/tangle/images.hpp"
 #include "engine/geometry/tangle/lobe_topology.hpp"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "engine/geometry/crossings/crossings_data.hpp"
@@ -21,11 +20,9 @@ bool before(const PrecisePosition& x, const PrecisePosition& y) {
   return x.t.hi != y.t.hi ? x.t.hi < y.t.hi : x.t.lo < y.t.lo;
 }
 
-// Whether a contact lies where the curve begins, whose first vertex may be repeated.
-bool at_start(const IndexedCurve& curve, const Contact& contact) {
-  const auto points = curve.view().points.first(contact.segment1 + 1);
-  return contact.vertex1 && std::all_of(points.begin(), points.end(), [&](Point p) { return p == points[0]; });
-}
+// The smooth curves may cross up to two segments from where the polygons do (smooth_crossing.cpp): a crossing this many
+// segments behind another one may come before it.
+constexpr std::uint32_t may_pass = 4;
 
 bool crosses(const NodeGraph& graph, std::uint32_t node) {
   return graph.order[node] < first_touch;
@@ -33,7 +30,8 @@ bool crosses(const NodeGraph& graph, std::uint32_t node) {
 
 }  // namespace
 
-WindingSums::WindingSums(const Tangle& tangle) : tangle_(tangle), curves_(*tangle.curves), path_(closing_path(tangle)) {
+WindingSums::WindingSums(const Tangle& tangle, const ClosingPath& path)
+    : tangle_(tangle), curves_(*tangle.curves), path_(path) {
   add_manifold_nodes();
   add_path_nodes();
   sort_nodes();
@@ -53,6 +51,7 @@ void WindingSums::add_nodes(const IndexedCurve& first, const IndexedCurve& secon
                       {},
                       {gap.position1, gap.position2},
                       {gap.error1, gap.error2},
+                      gap.at,
                       gaps[k].hi,
                       gap.twice.hi + gap.twice.lo,
                       gap.uncertainty});
@@ -62,12 +61,15 @@ void WindingSums::add_nodes(const IndexedCurve& first, const IndexedCurve& secon
 // Crossings of U and S up to the last pip, beyond which no lobe has an arc.
 void WindingSums::add_manifold_nodes() {
   const NodeGraph& graph = graph_of(tangle_.nodes);
-  const std::uint32_t last = tangle_.pips.back().node, last_rank = graph.rank2[tangle_.pips.front().node];
+  const std::uint32_t last_u = tangle_.pips.back().u.segment, last_s = tangle_.pips.front().s.segment;
   std::vector<std::uint32_t> numbers;
   pip_nodes_.reserve(tangle_.pips.size());
-  for (std::uint32_t node = 0; node <= last; ++node) {
-    if (!crosses(graph, node) || graph.rank2[node] > last_rank) continue;
-    if (tangle_.pips[pip_nodes_.size()].node == node) pip_nodes_.push_back(static_cast<std::uint32_t>(numbers.size()));
+  for (std::uint32_t node = 0; node < graph.size(); ++node) {
+    const Contact contact = graph.contacts[graph.span(node).first];
+    if (contact.segment1 > last_u + may_pass) break;
+    if (!crosses(graph, node) || contact.segment2 > last_s + may_pass) continue;
+    if (pip_nodes_.size() < tangle_.pips.size() && tangle_.pips[pip_nodes_.size()].node == node)
+      pip_nodes_.push_back(static_cast<std::uint32_t>(numbers.size()));
     numbers.push_back(node);
   }
   add_nodes(curves_.u(), curves_.s(), graph, on_u, on_s, numbers, curves_.smooth_gaps_at(graph, numbers));
@@ -75,33 +77,34 @@ void WindingSums::add_manifold_nodes() {
 
 void WindingSums::add_path_nodes() {
   const Point origin = curves_.origin();
-  for (std::size_t k = 1; k < path_.size(); ++k) path_end_ += shoelace(path_[k - 1], path_[k], origin);
-  if (path_.size() == 2 && path_[0] == path_[1]) return;
-  path_index_.emplace(CurveView{path_, false});
-  if (path_meets_itself(path_)) {
-    usable_ = false;
-    return;
-  }
-  const SmoothCurve straight(path_index_->view(), true);
+  const std::vector<Point>& points = path_.points();
+  for (std::size_t k = 1; k < points.size(); ++k) path_end_ += shoelace(points[k - 1], points[k], origin);
+  usable_ = !path_.meets_itself();
+  if (!usable_ || !path_.has_length()) return;
+  const SmoothCurve straight(path_.index().view(), true);
   const ChordAreaTable no_chords(straight);
   const Pip &last_u = tangle_.pips.back(), &last_s = tangle_.pips.front();
-  const auto add = [&](const IndexedCurve& curve, const ChordAreaTable& chords, Curve which, Position last) {
-    const NodeGraph graph = build_node_graph(curve, *path_index_, IndexKind::tree);
+  const auto add = [&](const IndexedCurve& curve, const NodeGraph& graph, const ChordAreaTable& chords, Curve which,
+                       Position last) {
     std::vector<std::uint32_t> numbers;
     for (std::uint32_t node = 0; node < graph.size(); ++node) {
       const NodeSpan span = graph.span(node);
       const Contact contact = graph.contacts[span.first];
-      if (contact.segment1 > last.segment || (contact.segment1 == last.segment && contact.t1.hi > last.t)) break;
-      if (span.direction == 0 && at_start(curve, contact)) continue;
-      usable_ = usable_ && span.direction == 0 && crosses(graph, node);
+      if (contact.segment1 > last.segment + may_pass) break;
+      if (span.direction == 0 && ClosingPath::at_start(curve, contact)) continue;
+      const bool usable = span.direction == 0 && crosses(graph, node);
+      const bool behind =
+          contact.segment1 > last.segment || (contact.segment1 == last.segment && contact.t1.hi > last.t);
+      if (behind && !usable) continue;
+      usable_ = usable_ && usable;
       numbers.push_back(node);
     }
     if (!usable_) return;
-    add_nodes(curve, *path_index_, graph, which, on_path, numbers,
+    add_nodes(curve, path_.index(), graph, which, on_path, numbers,
               smooth_gaps(SmoothCurve(curve.view()), straight, chords, no_chords, graph, numbers));
   };
-  add(curves_.u(), *curves_.chords_u, on_u, last_u.u);
-  if (usable_) add(curves_.s(), *curves_.chords_s, on_s, last_s.s);
+  add(curves_.u(), path_.on_u(), *curves_.chords_u, on_u, last_u.u);
+  if (usable_) add(curves_.s(), path_.on_s(), *curves_.chords_s, on_s, last_s.s);
 }
 
 void WindingSums::sort_nodes() {
@@ -211,6 +214,32 @@ std::optional<WindingSums::Windings> WindingSums::windings_of(std::size_t lobe) 
   return windings;
 }
 
+// A share of twice the area that lies elsewhere because two crossings along a curve have changed places: the triangle
+// that it makes with the other two curves lies on the other side of each of them, and the sums count it up to three
+// times too often or too rarely. All three sides find it.
+double WindingSums::twice_turned_over(const Node& one, const Node& other, Curve curve) const {
+  const auto gap = [](const Node& node, Curve first) {
+    return (node.side(first) == 0 ? 1 : -1) * (node.polygons + node.smooth);
+  };
+  const auto turned = [](const Node& x, const Node& y, Curve along) {
+    const std::size_t i = x.side(along), j = y.side(along);
+    return (x.rank[i] < y.rank[j]) == (x.at[i] > y.at[j]);
+  };
+  const Curve second = one.curve[1 - one.side(curve)], third = other.curve[1 - other.side(curve)];
+  constexpr std::size_t near = 8;  // crossings
+  const std::vector<std::uint32_t>& along = along_[second];
+  const std::size_t at = one.rank[1 - one.side(curve)], end = std::min(at + near + 1, along.size());
+  for (std::size_t k = at > near ? at - near : 0; second != third && k < end; ++k) {
+    const Node& node = nodes_[along[k]];
+    if (node.curve[1 - node.side(second)] != third) continue;
+    if (turned(node, one, second) && turned(node, other, third))
+      return std::fabs(gap(one, curve) - gap(other, curve) + gap(node, second));
+  }
+  // A triangle of sides a, b, c has (a^2 + b^2 + c^2) / (4 sqrt 3) at most.
+  const Point apart = other.point - one.point;
+  return dot(apart, apart);
+}
+
 std::optional<Measured> WindingSums::measure(std::optional<std::size_t> lobe, double polygon_area) const {
   if (!usable_) return std::nullopt;
   std::optional<Windings> of_lobe;
@@ -231,6 +260,16 @@ std::optional<Measured> WindingSums::measure(std::optional<std::size_t> lobe, do
   const auto jump = [&](const Node& node) {
     return weight(node.curve[0], node.rank[0]) - weight(node.curve[0], node.rank[0] + std::size_t{1});
   };
+  // Whether these closed curves wind beside one of two nodes.
+  const auto wind_beside = [&](const Windings& windings, const Node& one, const Node& other) {
+    for (const Node* node : {&one, &other}) {
+      for (const std::size_t own : {0, 1}) {
+        const Sides* const sides = &windings[node->curve[own]][node->rank[own]];
+        if (!(sides[0] == Sides{} && sides[1] == Sides{})) return true;
+      }
+    }
+    return false;
+  };
   DD polygons = DD{static_cast<double>(weight(on_path, along_[on_path].size())), 0} * path_end_;
   double smooth = 0, error = 0, sizes = 0;
   for (const Node& node : nodes_) {
@@ -242,16 +281,23 @@ std::optional<Measured> WindingSums::measure(std::optional<std::size_t> lobe, do
     error += std::abs(times) * node.uncertainty;
   }
   for (const Curve curve : {on_u, on_s, on_path}) {
-    double sum = 0, last = -std::numeric_limits<double>::infinity();
+    double sum = 0;
+    std::vector<double> farthest;  // the largest `at` up to each node
     for (std::size_t k = 0; k < along_[curve].size(); ++k) {
       const Node& node = nodes_[along_[curve][k]];
       const std::size_t own = node.side(curve);
       error += std::abs(weight(curve, k)) * std::max(node.error[own] - sum, 0.0);
       sum = node.error[own];
-      if (jump(node) == 0) continue;
       // Smooth curves that cross in another order than the polygons do bound other regions.
-      if (node.at[own] < last) return std::nullopt;
-      last = node.at[own];
+      const double at = node.at[own];
+      for (std::size_t j = k; j-- > 0 && farthest[j] > at;) {
+        const Node& other = nodes_[along_[curve][j]];
+        if (!(other.at[other.side(curve)] > at)) continue;
+        if (jump(node) != 0 && jump(other) != 0) return std::nullopt;
+        if (wind_beside(boundary_, node, other) && (!of_lobe || wind_beside(*of_lobe, node, other)))
+          error += twice_turned_over(node, other, curve);
+      }
+      farthest.push_back(k == 0 ? at : std::max(farthest.back(), at));
     }
   }
   const double area = polygon_area + curves_.area({smooth, 0});

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "engine/geometry/index/sums_along.hpp"
+#include "engine/geometry/tangle/closing_path.hpp"
 #include "engine/geometry/tangle/curves.hpp"
 #include "lober/base/measured.hpp"
 
@@ -23,8 +24,8 @@ namespace lober::detail {
 
 class WindingSums {
  public:
-  /// The tangle is one of smooth curves, and has a boundary. O(N + M), and the search for where the closure meets them.
-  explicit WindingSums(const Tangle& tangle);
+  /// The tangle is one of smooth curves, and has a boundary, which the path closes. O(N + M).
+  WindingSums(const Tangle& tangle, const ClosingPath& path);
 
   /// The area where the smooth boundary winds, given that of the polygon. Nothing where the polygons do not determine
   /// how the smooth curves lie: the closure touches them or runs along them, or crossings change their order.
@@ -41,6 +42,7 @@ class WindingSums {
     int sign;                              // +1: the second curve passes from the right of the first one to its left
     std::array<std::uint32_t, 2> rank;     // number along each curve
     std::array<double, 2> at, error;       // where the smooth curves cross, and the sum of errors up to there
+    Point point;                           // at the scale of TangleCurves
     double polygons, smooth, uncertainty;  // S of the first less S of the second: of polygons, and what is to be added
     [[nodiscard]] std::size_t side(Curve of) const { return curve[0] == of ? 0 : 1; }
   };
@@ -65,13 +67,13 @@ class WindingSums {
   [[nodiscard]] std::optional<Windings> windings_of(std::size_t lobe) const;
   void carry(const Runs& runs, Curve curve, Sides first, Windings& windings) const;
   [[nodiscard]] bool consistent(const Windings& windings) const;
+  [[nodiscard]] double twice_turned_over(const Node& one, const Node& other, Curve curve) const;
   [[nodiscard]] std::optional<Measured> measure(std::optional<std::size_t> lobe, double polygon_area) const;
 
   const Tangle& tangle_;
   const TangleCurves& curves_;
   bool usable_ = true;
-  std::vector<Point> path_;
-  std::optional<IndexedCurve> path_index_;
+  const ClosingPath& path_;
   std::vector<Node> nodes_;
   std::vector<std::array<PrecisePosition, 2>> positions_;  // by node
   std::array<std::vector<std::uint32_t>, curves> along_;   // nodes in order along each curve

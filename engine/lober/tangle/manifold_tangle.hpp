@@ -83,6 +83,10 @@ struct ManifoldTangle {
 /// is p- on a cylinder, an open one. O(its vertices).
 [[nodiscard]] LOBER_API std::vector<Point> boundary_curve(const ManifoldTangle& manifolds);
 
+/// As remark_on_boundary of the tangle; also empty where the boundary runs round a cylinder, which repeats itself after
+/// `lattice` (System::lattice), and needs no path that closes it. O(1).
+[[nodiscard]] LOBER_API std::string remark_on_boundary(const ManifoldTangle& manifolds, Point lattice);
+
 /// Comparisons by two routes: the areas of the turnstile's lobes by geometry and by action, the areas that leave and
 /// enter in one step (for maps with an action, which preserve area), and the number of pips a period by polygons and by
 /// the splitting.

@@ -215,6 +215,9 @@ struct CopyOverlaps {
 /// The boundary as a closed polygon: from p- along U to the bip, along S to p+ and along the closure back to p-.
 /// O(its vertices).
 [[nodiscard]] LOBER_API std::vector<Point> boundary_outline(const Tangle& tangle);
+/// A remark for users where the boundary crosses itself, so that it bounds no region; empty where it does not, and
+/// where there is none.
+[[nodiscard]] LOBER_API std::string remark_on_boundary(const Tangle& tangle);
 /// The result of swept_area.
 struct SweptArea {
   double area = 0, error = 0;  ///< the area, and its error bar

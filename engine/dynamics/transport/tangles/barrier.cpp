@@ -32,6 +32,17 @@ Box intersection(const Box& a, const Box& b) {
   return both;
 }
 
+// Also more than once.
+double whole_turns(const Barrier& barrier) {
+  if (barrier.lattice == Point{}) return 0;
+  const Point from = barrier.tangle->u().points.front(), to = barrier.tangle->s().points.front();
+  const Point between{to.x - from.x, to.y - from.y};
+  const double period = length(barrier.lattice);
+  const double turns = std::round(along_and_above(barrier.lattice, between).x / period);
+  const Point off{between.x - turns * barrier.lattice.x, between.y - turns * barrier.lattice.y};
+  return length(off) > 1e-6 * period ? 0 : turns;
+}
+
 }  // namespace
 
 Barrier barrier_of(const ManifoldTangle& manifolds, Point lattice) {
@@ -48,16 +59,11 @@ Barrier barrier_of(const ManifoldTangle& manifolds, Point lattice) {
 }
 
 int turns_of(const Barrier& barrier) {
-  if (barrier.lattice == Point{}) return 0;
-  const Point from = barrier.tangle->u().points.front(), to = barrier.tangle->s().points.front();
-  const Point between{to.x - from.x, to.y - from.y};
-  const double period = length(barrier.lattice);
-  const double turns = std::round(along_and_above(barrier.lattice, between).x / period);
-  const Point off{between.x - turns * barrier.lattice.x, between.y - turns * barrier.lattice.y};
-  if (turns == 0 || length(off) > 1e-6 * period) return 0;
+  const double turns = whole_turns(barrier);
+  if (turns == 0) return 0;
   if (std::fabs(turns) > 1) {
-    throw DataError("transport: the saddles " + format_point(from) + " and " + format_point(to) + " are " +
-                    format_number(std::fabs(turns)) +
+    throw DataError("transport: the saddles " + format_point(barrier.tangle->u().points.front()) + " and " +
+                    format_point(barrier.tangle->s().points.front()) + " are " + format_number(std::fabs(turns)) +
                     " periods apart, so that the boundary crosses itself on the cylinder; take copies of them that are "
                     "next to each other");
   }
@@ -120,15 +126,12 @@ bool closure_is_crossed(const Barrier& barrier, int k) {
 
 bool crosses_itself(const Barrier& barrier) {
   const std::optional<Boundary>& boundary = barrier.tangle->boundary;
-  return boundary && boundary->bip == barrier.bip && boundary->crosses_itself && turns_of(barrier) == 0;
+  return boundary && boundary->bip == barrier.bip && boundary->crosses_itself && whole_turns(barrier) == 0;
 }
 
 std::string remark_on_closure(const Barrier& barrier) {
   if (!crosses_itself(barrier)) return {};
-  return "the boundary crosses itself, because the path that closes it meets the manifolds or itself, and bounds no "
-         "region: the area of R1 is that of what it winds round, as lober tangle gives it; the fluxes and T by lobes "
-         "hold only as far as fluid does not cross that path, and T by boundaries is not known where the path meets "
-         "the manifolds; give a path (closure) that keeps away from them";
+  return remark_on_boundary(*barrier.tangle) + "; T by boundaries is not known where the path meets the manifolds";
 }
 
 Measured enclosed_area(const Barrier& barrier) {

@@ -23,6 +23,10 @@ std::vector<Point> boundary_curve(const ManifoldTangle& manifolds) {
   return outline_of({.tangle = &manifolds.tangle, .bip = manifolds.bip, .period = manifolds.period()}, 0);
 }
 
+std::string remark_on_boundary(const ManifoldTangle& manifolds, Point lattice) {
+  return crosses_itself(barrier_of(manifolds, lattice)) ? remark_on_boundary(manifolds.tangle) : std::string();
+}
+
 Agreement agreement_of(const ManifoldTangle& manifolds) {
   Agreement agreement;
   Measured leaving, entering;

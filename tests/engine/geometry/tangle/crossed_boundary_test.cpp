@@ -1,6 +1,8 @@
 // Boundaries that the path which closes them crosses, of smooth curves: against polygons of many more points.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -18,15 +20,18 @@ void expect_close_to(double found, double error, double fine, double fine_error,
   EXPECT_LE(std::fabs(found - fine), error + fine_error) << of;
 }
 
-// Boundary and parts of lobes of smooth curves against polygons through many more points of the same curves.
+// Boundary and parts of lobes of smooth curves against those of polygons, or of smooth curves, through many more points
+// of the same curves.
 void expect_covered(const Tangle& found, const Tangle& fine) {
   ASSERT_EQ(found.lobes.size(), fine.lobes.size());
   const std::vector<LobeShape> shapes = lobe_shapes(fine);
-  const double boundary = 2 * boundary_discretisation(fine);
+  const bool smooth = fine.boundary->smooth_error > 0;
+  const double boundary = smooth ? fine.boundary->smooth_error : 2 * boundary_discretisation(fine);
   expect_close_to(found.boundary->area, found.boundary->smooth_error, fine.boundary->area, boundary, "boundary");
   for (std::size_t k = 0; k < fine.lobes.size(); ++k) {
     const Lobe &lobe = found.lobes[k], &other = fine.lobes[k];
-    const double error = lobe.smooth_error + lobe.boundary_error, of_fine = boundary + 2 * shapes[k].discretisation;
+    const double error = lobe.smooth_error + lobe.boundary_error;
+    const double of_fine = smooth ? other.smooth_error + other.boundary_error : boundary + 2 * shapes[k].discretisation;
     expect_close_to(lobe.inside, error, other.inside, of_fine, "inside of lobe " + std::to_string(k));
     expect_close_to(lobe.outside, error, other.outside, of_fine, "outside of lobe " + std::to_string(k));
     EXPECT_NEAR(lobe.inside + lobe.outside, std::fabs(lobe.area), 1e-15);
@@ -139,6 +144,117 @@ TEST(CrossedBoundary, BarsCoverTheErrorsOfRandomPaths) {
   EXPECT_GT(compared, 100);
   EXPECT_GT(crossed, 50);
   EXPECT_LT(polygons, compared);
+}
+
+// Three harmonics.
+class CalmWave {
+ public:
+  CalmWave(oracle::Random& random, double most) {
+    for (std::size_t k = 0; k < height_.size(); ++k) {
+      height_[k] = random.uniform(-most, most) / static_cast<double>(1 + k);
+      phase_[k] = random.uniform(0, 6);
+    }
+  }
+  [[nodiscard]] Point operator()(double x) const {
+    double y = 0;
+    for (std::size_t k = 0; k < height_.size(); ++k)
+      y += height_[k] * std::sin(static_cast<double>(2 * k + 1) * 1.5 * x + phase_[k]);
+    return {x, y};
+  }
+
+ private:
+  std::array<double, 3> height_{}, phase_{};
+};
+
+// Both curves by 60 to 160 segments, closed by a path of up to two corners near the curves; and the same by twenty
+// times as many.
+struct SceneOfFewPoints {
+  Tangle found, fine;
+  explicit SceneOfFewPoints(std::uint64_t seed) {
+    oracle::Random random(seed);
+    const CalmWave wave_u(random, 0.4), wave_s(random, 0.15);
+    const auto points = [&](std::size_t segments) {
+      ManifoldPair pair;
+      for (std::size_t k = 0; k <= segments; ++k) {
+        const double t = static_cast<double>(k) / static_cast<double>(segments);
+        pair.u.push_back(wave_u(2 * t));
+        pair.s.push_back(wave_s(2.1 - 2.05 * t));
+      }
+      return pair;
+    };
+    const auto segments = static_cast<std::size_t>(random.integer(60, 160));
+    const ManifoldPair pair = points(segments), many = points(20 * segments);
+    TangleOptions options;
+    options.smooth = true;
+    for (int corners = random.integer(0, 2); corners > 0; --corners) {
+      const std::vector<Point>& beside = random.chance(0.5) ? many.u : many.s;
+      const Point at = beside[random.index(beside.size() / 2)];
+      const double by = random.log_uniform(1e-4, 0.3);
+      const double x = random.uniform(-1, 1), y = random.uniform(-1, 1);
+      options.closure.push_back({at.x + by * x, at.y + by * y});
+    }
+    // Both keep what they own.
+    found = tangle(OpenCurve(pair.u), OpenCurve(pair.s), options);
+    fine = tangle(OpenCurve(many.u), OpenCurve(many.s), options);
+  }
+  [[nodiscard]] bool comparable() const { return fine.boundary && found.lobes.size() == fine.lobes.size(); }
+};
+
+// An arc may begin on the other side of the path than its segment: both begin in the fixed point. Or it passes a leg of
+// the path on the other side, near a crossing with another leg. Seven of these scenes show either.
+TEST(CrossedBoundary, BarsCoverArcsBeyondThePath) {
+  int compared = 0, polygons = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    const SceneOfFewPoints scene(seed);
+    if (!scene.comparable()) continue;
+    ++compared;
+    polygons += scene.found.boundary->of_polygons;
+    SCOPED_TRACE(seed);
+    expect_covered(scene.found, scene.fine);
+  }
+  EXPECT_GT(compared, 250);
+  EXPECT_LT(polygons, 30);
+}
+
+// Where the path, U and S cross near one point, the smooth curves may have the crossings in another order than the
+// polygons, also with one behind the last pip.
+TEST(CrossedBoundary, BarsCoverCrossingsThatChangePlaces) {
+  for (const std::uint64_t seed : {4306U, 5515U}) {
+    const SceneOfFewPoints scene(seed);
+    ASSERT_TRUE(scene.comparable());
+    EXPECT_FALSE(scene.found.boundary->of_polygons);
+    SCOPED_TRACE(seed);
+    expect_covered(scene.found, scene.fine);
+    for (const Lobe& lobe : scene.found.lobes) EXPECT_LE(lobe.boundary_error, 1e-5);
+  }
+}
+
+// U leaves its fixed point between the path and its first segment, for a moment.
+TEST(CrossedBoundary, BarsCoverTheBeginningOfACurve) {
+  const auto curves = [](std::size_t segments) {
+    ManifoldPair pair;
+    for (std::size_t k = 0; k <= segments; ++k) {
+      const double t = static_cast<double>(k) / static_cast<double>(segments);
+      pair.u.push_back({2.2 * t, (std::sin(3 * 2.2 * t + 0.5) - std::sin(0.5)) / 2});
+      pair.s.push_back({2.1 - 2 * t, -0.1 - 0.05 * std::sin(2 * t)});
+    }
+    return pair;
+  };
+  const ManifoldPair pair = curves(110), many = curves(4400);
+  TangleOptions options;
+  options.smooth = true;
+  double widest = 0;
+  for (int k = 0; k <= 12; ++k) {
+    options.closure = {{1.5, 1.5}, {0.5, 0.642 + k * 0.0015}};
+    const Tangle found = tangle(open(pair.u), open(pair.s), options),
+                 fine = tangle(open(many.u), open(many.s), options);
+    SCOPED_TRACE(k);
+    expect_covered(found, fine);
+    widest = std::max(widest, std::fabs(found.boundary->area - fine.boundary->area));
+    // Beside the angle between the segment and the curve nothing is hidden.
+    EXPECT_LE(found.boundary->smooth_error, k == 0 || k == 12 ? 6e-7 : 5e-6);
+  }
+  EXPECT_GT(widest, 1e-6);
 }
 
 }  // namespace
