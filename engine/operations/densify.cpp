@@ -215,6 +215,15 @@ class PointLimit {
   std::size_t by_memory_, most_;
 };
 
+// Else the curve would come back as it was given.
+void require_step(const DensifyHow& how) {
+  const bool is_step = how.is_near() || how.has_angles() || how.max_length || how.simplify;
+  if (is_step || how.min_length) return;  // which is refused for its own reason
+  throw UsageError(
+      "no step is given; give option \"simplify\", option \"max_length\", option \"hobson\", option \"angle\", option "
+      "\"distance_angle\", option \"passes\" or option \"crossings\"");
+}
+
 void check(const DensifyHow& how, bool has_other) {
   if (how.is_near() && !has_other) {
     throw UsageError("option \"passes\" and option \"crossings\" need a second curve");
@@ -327,6 +336,7 @@ Operation densify_operation() {
                         {{"examples/resonance.dat", "examples/resonance_image.dat"},
                          {{"crossings", true}},
                          "with a vertex wherever the other curve meets it"}};
+  operation.check = [](const Options& options, std::size_t) { require_step(densify_options().how(options)); };
   operation.result_bytes = result_bytes;
   operation.run = run_densify;
   return operation;

@@ -265,7 +265,7 @@ Outcome run_grow(std::span<const Input> inputs, const Options& options, const Co
 Operation grow_operation() {
   Operation operation;
   operation.name = "grow";
-  operation.revision = 5;  // saddles of least period make whole turns
+  operation.revision = 6;  // lengths and numbers of points asked for are kept to
   operation.title = "a branch of the stable or unstable manifold of a saddle";
   operation.summary =
       "Grows a branch of the stable or unstable manifold of a saddle of a map, or of a flow's Poincare map, to a "

@@ -309,7 +309,7 @@ Outcome run_image(std::span<const Input> inputs, const Options& options, const C
 Operation image_operation() {
   Operation operation;
   operation.name = "image";
-  operation.revision = 3;  // points are denser where a fold lies at an end
+  operation.revision = 4;  // max_points is kept to
   operation.title = "images and pre-images of a curve under a system's map";
   operation.summary =
       "Computes images and pre-images of a curve under a map, or a flow's Poincare map, to a tolerance.";

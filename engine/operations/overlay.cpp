@@ -120,7 +120,7 @@ Outcome run_overlay(std::span<const Input> inputs, const Options& options, const
 Operation overlay_operation() {
   Operation operation;
   operation.name = "overlay";
-  operation.revision = 2;  // bars where crossings stay where the polygons have them
+  operation.revision = 3;  // the estimate of the discretisation where curves are nearly tangent
   operation.title = "crossings, lobes and areas of two closed curves";
   operation.summary =
       "Computes where two simple closed curves cross, the pieces of their differences, intersection and union, and all "

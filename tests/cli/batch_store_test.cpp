@@ -229,7 +229,8 @@ TEST_F(BatchStore, DevicesAndPipesAreNoCurves) {
 // Files under /proc say that they have no bytes and give gigabytes.
 TEST_F(BatchStore, FilesWhoseSizeIsNotKnownAreNoCurves) {
   write("empty", "");
-  write("job.toml", "operation = \"densify\"\ncurves = [\"/proc/self/[a-df-z]*\", \"empty\"]\n");
+  write("job.toml",
+        "operation = \"densify\"\ncurves = [\"/proc/self/[a-df-z]*\", \"empty\"]\noptions.max_length = 1\n");
   const Outcome batch =
       shell("ulimit -d 300000; exec timeout 60 \"$LOBER\" batch run job.toml --store s --memory 100M");
   EXPECT_EQ(batch.status, 1) << batch.err;
@@ -248,7 +249,7 @@ TEST_F(BatchStore, FilesWhoseSizeIsNotKnownAreNoCurves) {
 TEST_F(BatchStore, InputsOfFinishedJobsAreHashedInPieces) {
   const std::vector<Point> points = flower(4'000'000, 7, 0.3, {0, 0});
   write("big", std::string_view(reinterpret_cast<const char*>(points.data()), points.size() * sizeof(Point)));
-  write("job.toml", "operation = \"densify\"\ncurves = \"big\"\n");
+  write("job.toml", "operation = \"densify\"\ncurves = \"big\"\noptions.max_length = 1\n");
   ASSERT_EQ(run({"batch", "run", "job.toml", "--store", "s"}).status, 0);
   const Outcome again = shell("ulimit -d 55000; exec \"$LOBER\" batch run job.toml --store s --threads 1");
   EXPECT_EQ(again.status, 0) << again.err;

@@ -40,6 +40,18 @@ TEST_F(OverlaySmooth, WidensTheBarOfThePolygons) {
   EXPECT_EQ(result["agreement"], true);
 }
 
+// A lens that polygons have a tenth of: both routes are right, and say so.
+TEST_F(OverlaySmooth, AgreesWithPolygonsOnAThinLens) {
+  const auto circle = [](std::size_t points, double x) { return flower(points, 1, 0.0, {x, 0}); };
+  write_curve("c1", circle(500, 0));
+  write_curve("c2", circle(200, 1.99999));
+  const Outcome outcome = run({"overlay", "c1", "c2", "--smooth"});
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const Json plain = overlay({"c1", "c2"});
+  const double lost = 4.21636705132e-8 - plain["areas"]["intersection"].get<double>();
+  EXPECT_NEAR(plain["error"]["discretisation"]["intersection"].get<double>(), lost, 0.02 * lost);
+}
+
 TEST_F(OverlaySmooth, HasAColumnInTheTable) {
   const Outcome outcome = run({"overlay", "c1", "c2", "--smooth", "--areas-only"});
   EXPECT_EQ(outcome.status, 0);

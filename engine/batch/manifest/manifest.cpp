@@ -328,7 +328,7 @@ class Reader {
   Options checked(const ManifestGroup& group, const std::vector<OptionSetting>& settings,
                   const toml::node& node) const {
     Options options;
-    explained(node, [&] { options = {group.operation->options, settings}; });
+    explained(node, [&] { options = job_options(*group.operation, settings); });
     return options;
   }
 

@@ -1,4 +1,5 @@
 // The table of operations as users see it (lober/batch.hpp).
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -38,7 +39,10 @@ OperationInfo described(const Operation& operation) {
   info.max_curves = takes(operation.arity, 2) ? 2 : info.min_curves;
   info.open = operation.open;
   info.view = operation.view;
-  for (const OptionSpec& spec : operation.options) info.options.push_back(described(spec));
+  for (const OptionSpec& spec : operation.options) {
+    const std::vector<std::string>& refused = operation.not_kept;
+    if (std::find(refused.begin(), refused.end(), spec.key) == refused.end()) info.options.push_back(described(spec));
+  }
   for (const Column& column : operation.columns) info.columns.push_back(column.name);
   info.lists = operation.lists;
   return info;

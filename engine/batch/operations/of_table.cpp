@@ -188,6 +188,7 @@ Operation operation_of(const operations::Operation& entry, const TableJob& job) 
   operation.summary = entry.title;
   operation.revision = entry.revision;
   operation.view = job.view;
+  operation.not_kept = job.not_kept;
   operation.arity = arity_of(entry);
   operation.open = entry.inputs.front().kind == operations::InputKind::open_curve;
   if (is_on_system(entry)) add_system_options(operation.options);
@@ -219,10 +220,10 @@ Operation operation_of(const operations::Operation& entry, const TableJob& job) 
     operation.lists.push_back(name);
   }
   operation.check = [&entry, required, on_system = is_on_system(entry), needs_tangle = job.needs_tangle,
-                     has_output = static_cast<bool>(job.points), not_kept = job.not_kept](const Options& options) {
+                     has_output = static_cast<bool>(job.points), not_kept = job.not_kept,
+                     reason = reason_not_kept(operation)](const Options& options) {
     for (const std::string& key : not_kept) {
-      if (options.flag(key))
-        throw UsageError(key + ": batches keep no numbers of it; lober " + entry.name + " shows them");
+      if (options.flag(key)) throw UsageError(key + ": " + reason);
     }
     for (const OptionSpec& spec : required) {
       if (options.find(spec.key) == nullptr) throw UsageError(spec.key + ": is missing: the " + spec.meaning);

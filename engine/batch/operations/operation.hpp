@@ -57,6 +57,8 @@ struct Operation {
   Arity arity = Arity::two;
   bool open = false;  ///< curves of a manifest are open unless it says otherwise
   std::vector<OptionSpec> options = {};
+  /// Flags among the options that no job may set, since no column or list has their results: nothing proposes them.
+  std::vector<std::string> not_kept = {};
   std::vector<Column> columns = {};  ///< names that SQL takes in quotes; of those in the table, see store_format
   std::vector<std::string> lists = {};
   /// The elements of lists as columns of their own, which exports have behind the others: those of one result, where
@@ -79,6 +81,12 @@ struct Operation {
   std::function<double(const Curve& curve, const Options& options)> result_bytes = {};
   std::size_t memory = 0;  ///< bytes that a job takes beyond the usual ones for that number of points
 };
+
+/// The options of a job. Throws UsageError "key: message" as Options does, but names only keys that jobs may set, and
+/// says of a key like that of one of `not_kept` that it is refused.
+[[nodiscard]] Options job_options(const Operation& operation, std::span<const OptionSetting> settings);
+/// The reason why a flag of `not_kept` is refused: the end of a sentence.
+[[nodiscard]] std::string reason_not_kept(const Operation& operation);
 
 /// The operations that a manifest can name.
 [[nodiscard]] std::span<const Operation> all_operations();

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "engine/base/nearest_word.hpp"
 #include "engine/batch/operations/of_table.hpp"
+#include "lober/base/error.hpp"
 
 namespace lober::detail {
 namespace {
@@ -42,6 +44,32 @@ bool takes(Arity arity, std::size_t curves) {
       return curves == 1 || curves == 2;
   }
   return false;
+}
+
+std::string reason_not_kept(const Operation& operation) {
+  return "batches keep no numbers of it; lober " + operation.name + " shows them";
+}
+
+Options job_options(const Operation& operation, std::span<const OptionSetting> settings) {
+  const auto has = [](const std::vector<std::string>& keys, const std::string& key) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+  };
+  std::vector<std::string> all, kept;
+  for (const OptionSpec& spec : operation.options) {
+    all.push_back(spec.key);
+    if (!has(operation.not_kept, spec.key)) kept.push_back(spec.key);
+  }
+  for (const OptionSetting& setting : settings) {
+    if (std::any_of(operation.options.begin(), operation.options.end(),
+                    [&](const OptionSpec& spec) { return spec.is_for(setting.key); })) {
+      continue;
+    }
+    const std::string meant = nearest_word(setting.key, all);
+    throw UsageError(setting.key + ": there is no such option; there are " + joined(kept) +
+                     (has(operation.not_kept, meant) ? "; " + meant + " is refused: " + reason_not_kept(operation)
+                                                     : did_you_mean(setting.key, kept)));
+  }
+  return {operation.options, settings};
 }
 
 const Operation* find_operation(std::string_view name) {

@@ -8,7 +8,7 @@
 
 namespace lober::detail {
 namespace {
-constexpr std::size_t bytes_per_cached_point = sizeof(Point) + 5;  // with the index and the sums, measured: 20.4
+constexpr std::size_t bytes_per_cached_point = sizeof(Point) + 12;  // with the index, the sums and the boxes of arcs
 // The sums of short curves have each chord (DiscretisationSums).
 constexpr std::size_t short_curve = 2048, more_bytes_of_a_short_one = 24;
 

@@ -191,8 +191,10 @@ std::optional<Trace> ManifoldGrowth::traced_within_limits(const Guide& guide, in
     return std::nullopt;
   }
   Trace trace = traced_section(guide, generation, end, limits, [&](std::uint64_t steps) { count(steps); });
-  if (trace.out_of_points && options_.whole_pieces) {
-    points_needed_ = trace.points_needed;
+  if (!options_.whole_pieces) return trace;
+  const std::size_t size = trace.samples.points.size() - (generation > 0 ? 1 : 0);
+  if (trace.out_of_points || result_.points.size() + size > max_points_) {
+    points_needed_ = std::max(trace.points_needed, static_cast<double>(trace.samples.points.size()));
     return std::nullopt;
   }
   return trace;
@@ -236,8 +238,8 @@ std::vector<Samples> ManifoldGrowth::appended_together(std::span<const Guide> gu
     const Size before = size();
     fits = !slot.trace.out_of_points && slot.trace.samples.points.size() <= limits_left(generation).points;
     if (!fits) return;
-    run_isolated([&] { append(slot.trace, generation); });
-    fits = result_.length < options_.length;
+    run_isolated([&] { fits = append(slot.trace, generation); });
+    fits = fits && result_.length < options_.length;
     if (!fits) return cut_back_to(before);
     result_.images += slot.steps;
     if (out_of_work()) {

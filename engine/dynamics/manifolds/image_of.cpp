@@ -45,6 +45,16 @@ void close(CurveImage& image, bool ends_have_images) {
   }
 }
 
+// A trace keeps to its limit roughly: points that stay have whole numbers. Whether the image keeps to it now.
+bool cut_to(CurveImage& image, std::size_t max_points) {
+  if (image.points.size() <= max_points) return true;
+  image.points.resize(max_points);
+  image.parameters.resize(max_points);
+  cut_diagnostics(image.diagnostics, max_points - 1);
+  image.stop = GrowthStop::points;
+  return false;
+}
+
 // A closed curve may go on at its start as smoothly as elsewhere.
 enum class Ends : std::uint8_t { open, meet_in_a_corner, meet_smoothly };
 
@@ -98,7 +108,8 @@ void trace_in_turn(const ImageOptions& given, Ends ends, Samples guide, std::vec
     append_finite(trace, 0, 1, result.points, result.parameters, result.diagnostics);
     result.closed = ends != Ends::open;
     if (result.closed) close(result, is_finite(trace.samples.points.front()) && is_finite(trace.samples.points.back()));
-    if (!finished(done, std::move(result)) || trace.out_of_points) return;
+    const bool fits = cut_to(result, given.max_points) && !trace.out_of_points;
+    if (!finished(done, std::move(result)) || !fits) return;
     guide = std::move(trace.samples);
     kept = std::move(trace.kept);
     for_each_block(guide.points.size(), together, [&](std::size_t first, std::size_t last) {

@@ -2,7 +2,9 @@
 #include "engine/dynamics/manifolds/manifold_growth.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "engine/base/parallel/insertion.hpp"
@@ -141,6 +143,10 @@ void ManifoldGrowth::grow_piece() {
   for (std::size_t k = sections.size(); k < guides.size() && !out_of_points; ++k) {
     if (result_.length >= options_.length) break;
     std::optional<Trace> trace = traced_within_limits(guides[k], generation, end);
+    if (!trace && !options_.whole_pieces && !sections.empty()) {
+      out_of_points = true;
+      break;
+    }
     if (!trace) {
       // As many for each guide that is left as for those so far.
       points_needed_ += static_cast<double>(result_.points.size() - before.points);
@@ -149,18 +155,19 @@ void ManifoldGrowth::grow_piece() {
       stop_ = GrowthStop::points;
       return;
     }
-    append(*trace, generation);
-    out_of_points = trace->out_of_points;
+    const bool fits = append(*trace, generation);
+    out_of_points = trace->out_of_points || !fits;
     sections.push_back(kept_as_guide(std::move(trace->samples), generation));
   }
   if (known > 0) stretched_ = static_cast<double>(result_.points.size() - before.points) / static_cast<double>(known);
   if (part == 0) ++generations_;
   current_.push_back(std::move(sections));
   ++pieces_done_;
-  if (out_of_points) {
-    stop_ = GrowthStop::points;
-  } else if (result_.length >= options_.length) {
+  if (result_.length >= options_.length) {
+    end_at_length(generation);
     stop_ = GrowthStop::length;
+  } else if (out_of_points) {
+    stop_ = GrowthStop::points;
   } else if (local || part == pieces_ - 1) {
     end_generation();
   }
@@ -284,20 +291,28 @@ bool ManifoldGrowth::out_of_work() const {
   return std::max(map_work(), static_cast<double>(result_.images)) > options_.max_work;
 }
 
-void ManifoldGrowth::append(const Trace& trace, int generation) {
+// False where max_points cuts it: a trace keeps to its limit roughly, since points that stay have whole numbers.
+bool ManifoldGrowth::append(const Trace& trace, int generation) {
   const CancellationScope shield(CancellationScope::Shield{});  // half a generation could not be kept
   const std::size_t begin = result_.points.size();
   append_finite(trace, generation > 0 ? 1 : 0, side_, result_.points, result_.parameters, result_.diagnostics);
+  const bool fits = result_.points.size() <= max_points_;
+  if (!fits) {
+    result_.points.resize(max_points_);
+    result_.parameters.resize(max_points_);
+    cut_diagnostics(result_.diagnostics, max_points_ - 1);
+  }
   add_length(begin);
+  return fits;
 }
 
-// The length of `count` segments behind point k, as far as they count.
-double ManifoldGrowth::length_behind(std::size_t k, std::size_t count) const {
-  const auto [sum, inside] = length_in_box(&result_.points[k], count, trace_options_.box);
+// The length of `count` segments in a row, as far as they count.
+double ManifoldGrowth::counted_length(const Point* points, std::size_t count) const {
+  const auto [sum, inside] = length_in_box(points, count, trace_options_.box);
   if (inside) return sum;
   double within = 0;
-  for (std::size_t j = k; j < k + count; ++j) {
-    const Point a = result_.points[j], b = result_.points[j + 1];
+  for (std::size_t j = 0; j < count; ++j) {
+    const Point a = points[j], b = points[j + 1];
     const double part = part_inside(a, b, trace_options_.box);
     if (part > 0) within += part < 1 ? length({part * (b.x - a.x), part * (b.y - a.y)}) : distance(a, b);
   }
@@ -313,7 +328,7 @@ void ManifoldGrowth::add_length(std::size_t begin) {
   for_each_block(count, pass_grain, [&](std::size_t first, std::size_t last) {
     double sum = 0;
     for (std::size_t k = first; k < last; k += max_flagged) {
-      sum += length_behind(first_segment + k, std::min(max_flagged, last - k));
+      sum += counted_length(&result_.points[first_segment + k], std::min(max_flagged, last - k));
     }
     sums[first / pass_grain] = sum;
   });
@@ -324,13 +339,60 @@ void ManifoldGrowth::add_length(std::size_t begin) {
     }
     const std::size_t last = first_segment + std::min(count, (block + 1) * pass_grain);
     for (std::size_t k = first_segment + block * pass_grain; k < last; ++k) {
-      result_.length += length_behind(k, 1);
+      result_.length += counted_length(&result_.points[k], 1);
       if (result_.length < options_.length) continue;
       result_.points.resize(k + 2);
       result_.parameters.resize(k + 2);
       cut_diagnostics(result_.diagnostics, k + 1);
       return;
     }
+  }
+}
+
+// Moves the last point back along the curve to where the length is reached: where the curve is straight a segment may
+// be far longer than all that was asked for. The polygon is never shorter than that, and longer by a billionth at most,
+// where parameters can be told apart so well. By false position; halving the value at an end that stays (the Illinois
+// method) makes it converge from both sides.
+void ManifoldGrowth::end_at_length(int generation) {
+  constexpr int max_evaluations = 24;
+  constexpr double spare_length = 1e-9;
+  if (result_.points.size() < 2) return;
+  const std::size_t last = result_.points.size() - 1;
+  const auto& diagnostics = result_.diagnostics;
+  if (!diagnostics.empty() && diagnostics.back().cause == GrowthDiagnosticCause::failed &&
+      diagnostics.back().first + diagnostics.back().count == last) {
+    return;  // there is no curve between the two
+  }
+  std::array<Point, 2> segment{result_.points[last - 1], result_.points[last]};
+  const double before = result_.length - counted_length(segment.data(), 1);
+  const double slack = spare_length * options_.length, aim = options_.length + 0.5 * slack;
+  const bool same = last - 1 >= result_.generation_begin[static_cast<std::size_t>(generation)];
+  double low = side_ * result_.parameters[last - 1] / (same ? 1 : ratio_), high = side_ * result_.parameters[last];
+  double below = before - aim, above = result_.length - aim;  // lengths at these, less the one aimed at
+  const double nearest = low + trace_options_.min_spacing;
+  enum class Replaced : std::uint8_t { none, lower, upper } replaced = Replaced::none;
+  const CurveFunction curve = image(generation);
+  for (int k = 0; k < max_evaluations && result_.length > options_.length + slack; ++k) {
+    const double parameter = std::max(low + (high - low) * (below / (below - above)), nearest);
+    if (!(parameter > low && parameter < high)) return;
+    curve({&parameter, 1}, {&segment[1], 1});
+    result_.images += static_cast<std::uint64_t>(generation) * static_cast<std::uint64_t>(std::abs(steps_));
+    const double reached = before + counted_length(segment.data(), 1);
+    if (!is_finite(segment[1]) || !std::isfinite(reached)) return;
+    if (reached < options_.length) {
+      if (replaced == Replaced::lower) above *= 0.5;
+      replaced = Replaced::lower;
+      low = parameter;
+      below = reached - aim;
+      continue;
+    }
+    if (replaced == Replaced::upper) below *= 0.5;
+    replaced = Replaced::upper;
+    high = parameter;
+    above = reached - aim;
+    result_.points[last] = segment[1];
+    result_.parameters[last] = side_ * parameter;
+    result_.length = reached;
   }
 }
 

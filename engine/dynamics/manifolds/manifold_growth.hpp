@@ -92,9 +92,10 @@ class ManifoldGrowth {
                                      const Counted& counted) const;
   [[nodiscard]] std::optional<Trace> traced_within_limits(const Guide& guide, int generation, double end);
   [[nodiscard]] std::vector<Samples> appended_together(std::span<const Guide> guides, int generation, double end);
-  void append(const Trace& trace, int generation);
-  [[nodiscard]] double length_behind(std::size_t k, std::size_t count) const;
+  [[nodiscard]] bool append(const Trace& trace, int generation);
+  [[nodiscard]] double counted_length(const Point* points, std::size_t count) const;
   void add_length(std::size_t begin);
+  void end_at_length(int generation);
   [[nodiscard]] Samples kept_as_guide(Samples samples, int generation);
   [[nodiscard]] bool is_alive(const Samples& samples) const;
   void add_to_generation(const Samples& samples);

@@ -274,8 +274,7 @@ class Tracer {
     if (broken.empty()) return false;
     const auto begin = running_sums(broken.size(), [&](std::size_t k) { return broken[k].points; });
     if (samples_.points.size() + begin[broken.size()] > options_.max_points) {
-      end_where_points_run_out(broken, begin);
-      return !abandoned();
+      return end_where_points_run_out(broken, begin);
     }
     Buffer<Insertion> insertions(begin[broken.size()]);
     for_each_block(broken.size(), pass_grain, [&](std::size_t first, std::size_t last) {
@@ -332,19 +331,21 @@ class Tracer {
     kept_.push_back(static_cast<std::uint32_t>(size - 1));
   }
 
-  // Ends the samples where all insertions up to there still fit in.
-  void end_where_points_run_out(const Buffer<Cut>& broken, const Buffer<std::uint64_t>& begin) {
+  // Ends the samples where all insertions up to there still fit in. False where nothing is left to do: a segment stays.
+  bool end_where_points_run_out(const Buffer<Cut>& broken, const Buffer<std::uint64_t>& begin) {
     trace_.out_of_points = true;
     if (!options_.cut) {
       trace_.points_needed = static_cast<double>(samples_.points.size() + begin[broken.size()]);
-      return;
+      return false;
     }
+    if (samples_.points.size() == 2) return false;
     std::size_t k = 0;
     while (k < broken.size() && broken[k].segment + 1 + begin[k + 1] <= options_.max_points) ++k;
     // Up to broken[k] nothing exceeds; leave points for what the next rounds add there.
     const std::size_t size = std::max<std::size_t>(
         2, std::min<std::size_t>(broken[std::min(k, broken.size() - 1)].segment, options_.max_points - begin[k]));
     truncate(std::min(size, samples_.points.size() - 1));
+    return true;
   }
 
   // The points of the guide give way to points that are spaced evenly by `required`, but for those that are kept.

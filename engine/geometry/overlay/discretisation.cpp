@@ -3,13 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <memory>
+#include <mutex>
+#include <vector>
 
+#include "engine/base/parallel/isolated.hpp"
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/crossings/crossings_data.hpp"
 #include "engine/geometry/curve/require.hpp"
+#include "engine/geometry/curve/scaled.hpp"
 #include "engine/geometry/overlay/arc_sums.hpp"
 #include "engine/geometry/overlay/faces.hpp"
+#include "engine/geometry/smooth/near_misses.hpp"
+#include "kernels/point.hpp"
 #include "kernels/sagitta.hpp"
 #include "kernels/shoelace.hpp"
 
@@ -25,6 +33,31 @@ struct detail::DiscretisationData {
   Buffer<DD> before;     // running sums, up to each chunk of segments
   Buffer<Chord> chords;  // kept for a short curve: all that a contact asks for
   DD total;
+
+  struct Arcs {
+    explicit Arcs(CurveView view) : curve(view), boxes(curve) {}
+    SmoothCurve curve;
+    ArcBoxes boxes;  // which point to it
+  };
+  // For curves that do not cross any other: made when that is first asked for, by any thread.
+  [[nodiscard]] const Arcs& arcs() const {
+    std::call_once(arcs_made_, [this] {
+      // A thread that waits for others here must not begin what would wait for it.
+      run_isolated([this] { arcs_ = made_of(curve); });
+    });
+    return *arcs_;
+  }
+  static std::unique_ptr<const Arcs> made_of(CurveView curve) {
+    constexpr std::size_t block = 256 * ArcBoxes::segments_a_leaf;
+    auto made = std::make_unique<Arcs>(curve);
+    for_each_block(curve.segments(), block, [&](std::size_t begin, std::size_t end) { made->boxes.add(begin, end); });
+    made->boxes.join();
+    return made;
+  }
+
+ private:
+  mutable std::once_flag arcs_made_;
+  mutable std::unique_ptr<const Arcs> arcs_;
 };
 
 namespace {
@@ -75,8 +108,8 @@ struct RoundedPosition {
   double t;
 };
 
-// Calls take(k, sum) with the running sum of the chord-to-arc areas up to contact k, like sum_along for the shoelace
-// sums.
+// Calls take(k, sum, area) with the running sum of the chord-to-arc areas up to contact k, like sum_along for the
+// shoelace sums, and the area of the segment that it is on.
 template <typename ContactAt, typename Take>
 void chord_areas_at_contacts(const DiscretisationSums& sums, std::size_t count, const ContactAt& contact,
                              const Take& take) {
@@ -87,7 +120,7 @@ void chord_areas_at_contacts(const DiscretisationSums& sums, std::size_t count, 
       for (std::size_t k = first; k < last; ++k) {
         const RoundedPosition at = contact(k);
         const auto& [before, area] = chords[at.segment];
-        take(k, before + DD{area * sagitta_fraction(at.t), 0});
+        take(k, before + DD{area * sagitta_fraction(at.t), 0}, area);
       }
       return;
     }
@@ -99,12 +132,147 @@ void chord_areas_at_contacts(const DiscretisationSums& sums, std::size_t count, 
       for (std::size_t number = begin; k < last && contact(k).segment < begin + chunk; ++number) {
         const double here = areas[number - begin];
         for (; k < last && contact(k).segment == number; ++k) {
-          take(k, sum + DD{here * sagitta_fraction(contact(k).t), 0});
+          take(k, sum + DD{here * sagitta_fraction(contact(k).t), 0}, here);
         }
         sum += DD{here, 0};
       }
     }
   });
+}
+
+// A segment as the parabola over it that has the same chord-to-arc area, seen from a contact at parameter t.
+struct Bend {
+  Point chord;
+  double length;
+  double height;  // that the parabola reaches to the right of the segment; negative to the left
+  double right;   // how far to the right it is at the contact
+  double slope;   // first derivative of that along the segment
+  double bend;    // second derivative
+
+  Bend(const CurveView& curve, std::uint32_t segment, double t, double twice_area)
+      : chord(curve.points[segment + 1 == curve.points.size() ? 0 : segment + 1] - curve.points[segment]),
+        length(detail::length(chord)),
+        height(length > 0 ? 0.75 * twice_area / length : 0),
+        right(4 * height * t * (1 - t)),
+        slope(length > 0 ? 4 * height * (1 - 2 * t) / length : 0),
+        bend(length > 0 ? -8 * height / length / length : 0) {}
+};
+
+// The area between smooth curves and polygons at crossings that the arcs up to them do not have: the smooth curves
+// cross elsewhere. Let g be the signed distance between the polygons along the first one, with g = 0 at the crossing,
+// and q that between the smooth curves. Arcs that end where the polygons cross count q - g where g > 0, but the area is
+// that where q > 0: |q| is missing wherever the two differ in sign. About the crossing q is a parabola, and differs in
+// sign from g up to where it vanishes. Where curves are nearly tangent it need not vanish, but turn: up to there then,
+// as the other end of the lens has the rest. The polygons' next crossing is an end as well. |q| is no larger there than
+// the polygons are wrong, and where there is no other crossing, that is not the case for longer than a segment.
+class CrossingEnds {
+ public:
+  CrossingEnds(const Overlay& result, const Buffer<double>& areas1, const Buffer<double>& areas2)
+      : graph_(graph_of(result.nodes)),
+        c1_(result.nodes.curve1()),
+        c2_(result.nodes.curve2()),
+        areas1_(areas1),
+        areas2_(areas2) {}
+
+  // In fixed blocks, so that it does not depend on the number of threads.
+  [[nodiscard]] double area() const {
+    constexpr std::size_t crossings_a_block = 1024;
+    std::vector<double> sums(graph_.size() / crossings_a_block + 1);
+    for_each_block(graph_.size(), crossings_a_block, [&](std::size_t begin, std::size_t end) {
+      double sum = 0;
+      for (std::size_t node = begin; node < end; ++node) sum += area_at(static_cast<std::uint32_t>(node));
+      sums[begin / crossings_a_block] = sum;
+    });
+    double sum = 0;
+    for (const double one : sums) sum += one;
+    return sum;
+  }
+
+ private:
+  [[nodiscard]] double area_at(std::uint32_t node) const {
+    const NodeSpan span = graph_.span(node);
+    if (span.direction != 0 || graph_.order[node] >= first_touch) return 0;
+    const double twice_area1 = areas1_[span.first], twice_area2 = areas2_[span.first];
+    if (twice_area1 == 0 && twice_area2 == 0) return 0;
+    const Contact at = graph_.contacts[span.first];
+    const Bend one(c1_, at.segment1, at.t1.hi, twice_area1), other(c2_, at.segment2, at.t2.hi, twice_area2);
+    if (!(one.length > 0 && other.length > 0)) return 0;
+    const double along = dot(one.chord, other.chord) >= 0 ? 1 : -1;
+    const double sine = along * cross(one.chord, other.chord) / one.length / other.length;
+    // The first curve above the second one, along the first chord.
+    const double offset = along * other.right - one.right, slope = other.slope - one.slope - sine;
+    const double bend = along * other.bend - one.bend;
+    // Towards where the signs differ |q| is depth - falls y + rises y^2 / 2 at the distance y.
+    const double depth = std::fabs(offset), falls = sine < 0 ? slope : -slope, rises = offset < 0 ? -bend : bend;
+    const double deepest = std::fabs(one.height) + std::fabs(other.height), root = falls * falls - 2 * rises * depth;
+    const double longest = std::max(one.length, other.length);
+    double reach = longest;
+    if (root >= 0 && (falls > 0 || rises < 0)) {
+      reach = std::min(reach, 2 * depth / (falls + std::sqrt(root)));
+    } else if (falls > 0) {
+      reach = std::min(reach, falls / rises);
+    } else {
+      const double more = std::max(deepest - depth, 0.0);
+      reach = std::min(reach, 2 * more / (std::sqrt(falls * falls + 2 * rises * more) - falls));
+    }
+    // Most often it is a small part of a segment.
+    const double t = at.t1.hi * one.length;
+    const bool onward = (sine < 0) == (offset < 0);
+    if (reach > (onward ? one.length - t : t)) reach = up_to_next(node, onward, reach);
+    const double area = reach * (depth - reach * (falls / 2 - reach * rises / 6));
+    double sum = area > 0 ? std::min(area, reach * deepest) : 0;
+    // On the other side it may come back to the wrong sign for a while: a lens that has moved along.
+    if (falls < 0 && rises > 0 && root > 0) {
+      const double width = 2 * std::sqrt(root) / rises, begin = -falls / rises - width / 2;
+      if (begin < longest && begin < up_to_next(node, !onward, longest))
+        sum += width * std::min(deepest, root / rises / 3);
+    }
+    return sum;
+  }
+
+  // The distance to the next node along C1, onward or back, if that is next to it along C2 too and nearer than `reach`;
+  // else `reach`.
+  [[nodiscard]] double up_to_next(std::uint32_t node, bool onward, double reach) const {
+    constexpr std::uint32_t few = 64;  // segments: farther away it is another place
+    const std::uint32_t count = graph_.size(), last = count - 1;
+    if (count < 2) return reach;
+    const std::uint32_t next = onward ? (node == last ? 0 : node + 1) : (node == 0 ? last : node - 1);
+    const std::uint32_t rank = graph_.rank2[node], other = graph_.rank2[next];
+    const std::uint32_t apart = rank < other ? other - rank : rank - other;
+    if (apart != 1 && apart != last) return reach;
+    const NodeSpan span = graph_.span(next);
+    const Contact here = graph_.contacts[graph_.span(node).first];
+    const Contact there = graph_.contacts[onward ? span.first : span.last];
+    const std::uint32_t from = onward ? here.segment1 : there.segment1, to = onward ? there.segment1 : here.segment1;
+    const auto segments = static_cast<std::uint32_t>(c1_.segments());
+    const bool wraps = to < from || (to == from && (onward ? there.t1.hi < here.t1.hi : here.t1.hi < there.t1.hi));
+    if ((wraps ? segments - from + to : to - from) > std::min(few, segments / 4)) return reach;
+    return std::min(reach, distance(contact_point(here, c1_, c2_), contact_point(there, c1_, c2_)));
+  }
+
+  const NodeGraph& graph_;
+  CurveView c1_, c2_;
+  const Buffer<double>&areas1_, &areas2_;
+};
+
+// Twice the area that smooth curves have in common, or that one of them has outside the other one, where the polygons
+// do not cross at all.
+double twice_hidden(const DiscretisationData::Arcs& one, const DiscretisationData::Arcs& other) {
+  const auto root = [](const ArcBoxes& boxes) { return boxes.box({boxes.levels() - 1, 0}); };
+  if (!meet(root(one.boxes), root(other.boxes))) return 0;
+  NodeSegments none1(one.curve.segments()), none2(other.curve.segments());
+  none1.join();
+  none2.join();
+  return hidden_area({one.curve, one.boxes, none1}, {other.curve, other.boxes, none2});
+}
+
+double area_hidden(const Overlay& result, const DiscretisationData& first, const DiscretisationData& second) {
+  const int exponent = result.nodes.data().exponent;
+  if (exponent == 0) return 0.5 * twice_hidden(first.arcs(), second.arcs());
+  const std::vector<Point> one = scaled(first.curve, exponent), other = scaled(second.curve, exponent);
+  return scaled_area(twice_hidden(*DiscretisationData::made_of({one, first.curve.closed}),
+                                  *DiscretisationData::made_of({other, second.curve.closed})),
+                     -2 * exponent - 1);
 }
 
 // With the sums that a contact on a longer curve finds.
@@ -154,7 +322,10 @@ DiscretisationSums::DiscretisationSums(CurveView curve) {
 }
 
 std::size_t DiscretisationSums::memory() const {
-  return data_->before.capacity() * sizeof(DD) + data_->chords.capacity() * sizeof(DiscretisationData::Chord);
+  // The boxes of the arcs may be made later.
+  constexpr std::size_t bytes_a_leaf = 2 * sizeof(Box) + sizeof(ArcStrip) + sizeof(double);
+  return data_->before.capacity() * sizeof(DD) + data_->chords.capacity() * sizeof(DiscretisationData::Chord) +
+         (data_->curve.segments() / ArcBoxes::segments_a_leaf + 1) * bytes_a_leaf;
 }
 
 Areas discretisation_error(const Overlay& result) {
@@ -171,6 +342,7 @@ Areas discretisation_error(const Overlay& result, const DiscretisationSums& firs
   const auto reduced = [&](DD sum) { return DD{sum.hi * factor, sum.lo * factor}; };
   ArcSums sums;
   sums.gap.resize(count);
+  Buffer<double> areas1(count), areas2(count);
   sums.total1 = reduced(first.data().total);
   sums.total2 = reduced(second.data().total);
   chord_areas_at_contacts(
@@ -178,14 +350,20 @@ Areas discretisation_error(const Overlay& result, const DiscretisationSums& firs
       [&](std::size_t k) {
         return RoundedPosition{graph.contacts[k].segment1, graph.contacts[k].t1.hi};
       },
-      [&](std::size_t k, DD sum) { sums.gap[k] = reduced(sum); });
+      [&](std::size_t k, DD sum, double area) {
+        sums.gap[k] = reduced(sum);
+        areas1[k] = area;
+      });
   chord_areas_at_contacts(
       second, count,
       [&](std::size_t k) {
         const Contact contact = graph.contacts[graph.contacts2[k]];
         return RoundedPosition{contact.segment2, contact.t2.hi};
       },
-      [&](std::size_t k, DD sum) { sums.gap[graph.contacts2[k]] -= reduced(sum); });
+      [&](std::size_t k, DD sum, double area) {
+        sums.gap[graph.contacts2[k]] -= reduced(sum);
+        areas2[graph.contacts2[k]] = area;
+      });
   find_wraps(graph, sums);
 
   const auto lost = [&](DD twice) { return std::min(std::fabs(0.5 * twice.hi) / factor, largest); };
@@ -209,14 +387,18 @@ Areas discretisation_error(const Overlay& result, const DiscretisationSums& firs
     common = gain1;
   }
   if (result.nodes.same_curve()) minus12 = minus21 = {};
+  const double ends = result.nodes.same_curve()      ? 0
+                      : result.nodes.crossings() > 0 ? CrossingEnds(result, areas1, areas2).area()
+                                                     : area_hidden(result, first.data(), second.data());
+  const auto with_ends = [&](DD twice, double times) { return std::min(lost(twice) + times * ends, largest); };
   Areas areas;
   areas.c1 = lost(gain1);
   areas.c2 = lost(gain2);
-  areas.c1_minus_c2 = lost(minus12);
-  areas.c2_minus_c1 = lost(minus21);
-  areas.intersection = lost(common);
-  areas.symmetric_difference = lost(minus12 + minus21);
-  areas.union_ = lost(minus12 + minus21 + common);
+  areas.c1_minus_c2 = with_ends(minus12, 1);
+  areas.c2_minus_c1 = with_ends(minus21, 1);
+  areas.intersection = with_ends(common, 1);
+  areas.symmetric_difference = with_ends(minus12 + minus21, 2);
+  areas.union_ = with_ends(minus12 + minus21 + common, 1);
   return areas;
 }
 

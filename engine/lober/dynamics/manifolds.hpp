@@ -80,8 +80,9 @@ struct GrowthProgress {
 struct GrowthOptions {
   double tolerance = 1e-5;  ///< e: how far the curve may lie from its polygon, as for tangles of systems
   int iterates = -1;        ///< ends at F^iterates of the end of the local manifold
-  double length = std::numeric_limits<double>::infinity();  ///< ends at the first vertex with this arc length, not
-                                                            ///< counting parts outside the box
+  /// Ends where the polygon has this arc length, not counting parts outside the box: at most a billionth beyond, as far
+  /// as parameters can be told apart.
+  double length = std::numeric_limits<double>::infinity();
   double max_length = 0;                 ///< no segment is longer; 0: a fiftieth of the extent of the local manifold
   std::size_t max_points = 100'000'000;  ///< points of the result at most
   std::size_t max_memory = std::numeric_limits<std::size_t>::max();      ///< bytes, roughly; 120 are needed a point

@@ -256,7 +256,7 @@ struct DiscretisationData;  // private: engine/geometry/overlay/discretisation.c
 }  // namespace detail
 
 /// The contribution of one curve to `discretisation_error`: running sums of the areas between its segments and the
-/// smooth curve through its vertices. The points must stay alive. O(N), parallel; 2 bytes a point, 26 of a short one.
+/// smooth curve through its vertices. The points must stay alive. O(N), parallel; 9 bytes a point, 33 of a short one.
 class DiscretisationSums {
  public:
   /// Sums of a curve whose points stay alive.
@@ -271,10 +271,17 @@ class DiscretisationSums {
 
 /// Estimate, for each area, of |polygon - smooth curve through the same points|: the area between each segment and the
 /// local cubic through its two ends and their neighbours, added up over the arcs that bound the region. Right to the
-/// leading order for smooth curves (error per segment of order h^5 against h^3). One pass over the points, parallel.
+/// leading order for smooth curves (error per segment of order h^5 against h^3). The smooth curves cross elsewhere:
+/// each crossing adds the area where the parabolas over its two segments have come to the other side of each other and
+/// the segments have not. Where curves are nearly tangent, and a lens no thicker than arcs are high, that is most of
+/// it. If the curves do not cross at all, the area in which arcs have done so is added, from above, since a lens may be
+/// missing in the polygons; lenses that are missing beside others are not looked for. The true error of 4500 nearly
+/// tangent pairs of circles that cross was up to 4.2 times the estimate, and in one of a hundred more than 1.03 times
+/// that. One pass over the points, parallel.
 [[nodiscard]] LOBER_API Areas discretisation_error(const Overlay& result);
 
-/// The same estimate, bit for bit, for curves that occur in many pairs, whose sums are known already. O(contacts).
+/// The same estimate, bit for bit, for curves that occur in many pairs, whose sums are known already. O(contacts); for
+/// curves that do not cross, O(pairs of 16 segments that come nearer than arcs bend), and N once for each curve.
 [[nodiscard]] LOBER_API Areas discretisation_error(const Overlay& result, const DiscretisationSums& first,
                                                    const DiscretisationSums& second);
 

@@ -194,13 +194,29 @@ TEST_F(ManifestTest, RefusalsNameLineAndKey) {
       "length, image_of, iterates, tolerance, integration_tolerance; did you mean manifold?");
   EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.*\"\noptions.smoth = true"),
             "job.toml:3: options.smoth: there is no such option; there are areas_only, discretisation, index, "
-            "check_simple, verify, smooth, classes, lobes; did you mean smooth?");
+            "check_simple, verify, classes, lobes; smooth is refused: batches keep no numbers of it; lober overlay "
+            "shows them");
+  EXPECT_EQ(refusal("operation = \"overlay\"\ncurves = \"separ.*\"\noptions.verfy = true"),
+            "job.toml:3: options.verfy: there is no such option; there are areas_only, discretisation, index, "
+            "check_simple, verify, classes, lobes; did you mean verify?");
   // Jobs do not compute what no column keeps.
   EXPECT_NE(refusal("operation = \"overlay\"\ncurves = \"separ.*\"\noptions.smooth = true")
                 .find("smooth: batches keep no numbers of it; lober overlay shows them"),
             std::string::npos);
   EXPECT_NE(refusal("operation = \"transport\"\noptions = { system = \"ovp\", all_regions = true }")
                 .find("all_regions: batches keep no numbers of it"),
+            std::string::npos);
+  for (const OperationInfo& one : list_operations()) {
+    for (const OperationOption& option : one.options) {
+      if (one.name == "overlay") {
+        EXPECT_NE(option.key, "smooth");
+      }
+      if (one.name == "transport") {
+        EXPECT_FALSE(option.key == "melnikov" || option.key == "all_regions") << option.key;
+      }
+    }
+  }
+  EXPECT_NE(refusal("operation = \"densify\"\ncurves = \"separ.*\"").find("no step is given; give \"simplify\""),
             std::string::npos);
   EXPECT_EQ(refusal("operation = \"interior\"\ncurves = \"separ.*\"\n[grid]\npasses = [1,\n  -1]"),
             "job.toml:5: options.passes: has to be at least 0");

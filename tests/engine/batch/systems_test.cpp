@@ -200,7 +200,7 @@ curves = ["good.npy", { system = "standard", image_of = "good.npy", iterates = 1
 
 TEST_F(SystemJobs, RefusalsNameLineAndKey) {
   const auto curve = [&](const std::string& inside) {
-    return refusal("operation = \"densify\"\ncurves = { " + inside + " }");
+    return refusal("operation = \"densify\"\ncurves = { " + inside + " }\noptions.max_length = 1");
   };
   const std::string good = "system = \"standard\", tolerance = 1e-3, ";
   EXPECT_EQ(curve(good + "manifold = \"stable\", iterates = 3"), "");

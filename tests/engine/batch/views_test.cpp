@@ -131,7 +131,7 @@ TEST_F(StoreViews, SweptValuesHaveColumns) {
   EXPECT_EQ(asked("SELECT json_extract(settings, '$.parameters.k') AS k FROM transports ORDER BY k"),
             (Rows{"1.02", "1.03", "1.04"}));
 
-  ran("operation = \"densify\"\ncurves = \"c.*\"\noptions = { points = 3 }\n"
+  ran("operation = \"densify\"\ncurves = \"c.*\"\noptions = { points = 3, simplify = 0 }\n"
       "grid = { points = \"2:3:1\", interpolation = [\"linear\", \"spline\"], hobson = [true, false] }\n");
   const Rows densified = lines("densify");
   ASSERT_EQ(densified.size(), 1U + 4 * 8);

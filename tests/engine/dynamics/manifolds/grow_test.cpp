@@ -273,6 +273,53 @@ TEST(Grow, Stops) {
   EXPECT_GT(cancelled.points.size(), 1000U);
 }
 
+// The last vertex is where the length is reached, and an image of its own parameter like any other.
+TEST(Grow, EndsAtTheLength) {
+  const HenonMap henon(0.5);
+  const StandardMap standard(1.2);
+  const Point of_henon{1 + std::sqrt(1.5), 1 + std::sqrt(1.5)};
+  const auto expect_end = [](const PlanarMap& map, Point saddle, ManifoldSide side, double length, double tolerance) {
+    const LocalManifold local = local_manifold(map, saddle, side);
+    const GrownManifold grown = grow(map, local, Branch::plus, {.tolerance = tolerance, .length = length});
+    EXPECT_EQ(grown.stop, GrowthStop::length);
+    EXPECT_GE(grown.length, length);
+    EXPECT_LE(grown.length, length * (1 + 1e-8)) << length;
+    double sum = 0;
+    for (std::size_t k = 1; k < grown.points.size(); ++k) sum += distance(grown.points[k - 1], grown.points[k]);
+    EXPECT_NEAR(sum, grown.length, 1e-9 * length);
+    Point last = local.at(grown.parameters.back());
+    map.iterate({&last, 1}, static_cast<int>(grown.generation_begin.size() - 2) * local.image().steps);
+    EXPECT_LE(distance(last, grown.points.back()), 1e-9) << length;
+  };
+  for (const ManifoldSide side : all_manifold_sides) {
+    for (const double length : {1e-6, 1e-3, 0.05, 0.3, 1.0, 3.0}) {
+      for (const double tolerance : {1e-6, 1e-2}) {
+        expect_end(henon, of_henon, side, length, tolerance);
+        expect_end(standard, {0, 0}, side, length, tolerance);
+      }
+    }
+  }
+}
+
+TEST(Grow, KeepsToTheNumberOfPoints) {
+  const StandardMap map(1.2);
+  const LocalManifold local = local_manifold(map, {0, 0}, ManifoldSide::unstable);
+  for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
+    for (const std::size_t points : {2U, 3U, 4U, 5U, 7U, 16U, 50U, 100U, 333U, 1000U, 2001U, 20'000U}) {
+      const GrownManifold grown =
+          grow(map, local, Branch::plus, {.tolerance = tolerance, .length = 1e5, .max_points = points});
+      EXPECT_EQ(grown.stop, GrowthStop::points);
+      EXPECT_LE(grown.points.size(), points);
+      EXPECT_GE(static_cast<double>(grown.points.size()), points < 50 ? 2 : 0.8 * static_cast<double>(points));
+      EXPECT_EQ(grown.parameters.size(), grown.points.size());
+      EXPECT_EQ(grown.generation_begin.back(), grown.points.size());
+      double sum = 0;
+      for (std::size_t k = 1; k < grown.points.size(); ++k) sum += distance(grown.points[k - 1], grown.points[k]);
+      EXPECT_NEAR(sum, grown.length, 1e-9 * sum);
+    }
+  }
+}
+
 // Long generations are traced in sections side by side: a limit ends them where it would end them one by one.
 TEST(Grow, LimitsEndSectionsAtTheSamePointForAnyNumberOfThreads) {
   const StandardMap map(1.2);

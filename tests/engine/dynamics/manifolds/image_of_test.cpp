@@ -107,6 +107,25 @@ TEST(ImageOf, PolygonsKeepTheirVertices) {
   EXPECT_THROW((void)image_of(map, 1, CurveView{square}, {.tolerance = 0}), UsageError);
 }
 
+TEST(ImageOf, KeepsToTheNumberOfPoints) {
+  const StandardMap map(1.2);
+  const std::vector<Point> square{{1, -1}, {4, -1}, {4, 1}, {1, 1}};
+  for (const bool closed : {true, false}) {
+    for (const std::size_t points : {3U, 4U, 5U, 6U, 7U, 10U, 20U, 51U, 200U, 1000U}) {
+      const CurveImage image = image_of(map, 5, CurveView{square, closed}, {.tolerance = 1e-7, .max_points = points});
+      EXPECT_EQ(image.stop, GrowthStop::points);
+      EXPECT_LE(image.points.size(), points);
+      EXPECT_EQ(image.parameters.size(), image.points.size());
+    }
+    // A limit that is not met cuts nothing.
+    const CurveImage whole = image_of(map, 2, CurveView{square, closed}, {.tolerance = 1e-4});
+    const CurveImage same =
+        image_of(map, 2, CurveView{square, closed}, {.tolerance = 1e-4, .max_points = 2 * whole.points.size()});
+    EXPECT_EQ(same.stop, GrowthStop::iterates);
+    EXPECT_EQ(same.points, whole.points);
+  }
+}
+
 TEST(ImagesOf, AreThoseOfImageOf) {
   const StandardMap map(1.2);
   const std::vector<Point> square{{1, -1}, {4, -1}, {4, 1}, {1, 1}};
