@@ -13,6 +13,7 @@
 #include "engine/dynamics/fixed_points/newton.hpp"
 #include "engine/dynamics/fixed_points/scan.hpp"
 #include "engine/dynamics/fixed_points/uncertainty.hpp"
+#include "engine/dynamics/fixed_points/valleys.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "lober/base/cancellation.hpp"
 
@@ -175,6 +176,8 @@ std::vector<FixedPoint> detail::scan(const PlanarMap& map, const Rectangle& box,
   };
   if (grids.halves() != nullptr) follow_all(half_way, grids.halves()->seeds());
   if (grids.whole() != nullptr) follow_all(map, grids.whole()->seeds());
+  // For the work along a valley of a flow a finer grid shows more.
+  if (by_formula(map)) follow_all(map, guesses_in_valleys(map, result, box, options));
   // The images of a point are such points too, and neither grid need see them.
   ByAbscissa places;
   for (std::size_t k = 0; k < result.size(); ++k) places.emplace(result[k].at.x, k);
