@@ -1,22 +1,15 @@
 #include "lober/dynamics/fixed_points.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <memory>
-#include <optional>
 #include <string>
-#include <tuple>
-#include <utility>
 
-#include "engine/base/parallel/parallel.hpp"
 #include "engine/base/text.hpp"
 #include "engine/dynamics/fixed_points/displacement_grid.hpp"
 #include "engine/dynamics/fixed_points/least_period.hpp"
 #include "engine/dynamics/fixed_points/newton.hpp"
 #include "engine/dynamics/fixed_points/scan.hpp"
 #include "engine/dynamics/maps/plane.hpp"
-#include "lober/base/cancellation.hpp"
 #include "lober/base/error.hpp"
 
 namespace lober {
@@ -60,11 +53,10 @@ FixedPoint find_fixed_point(const PlanarMap& map, Point guess, const FixedPointO
   const NewtonEnd end = newton(map, guess, options, reach);
   if (!end.converged) {
     // Where a point of a smaller period is about to bifurcate, its own equation is the one that leads there.
-    for (int period = 1; period < options.period && is_finite(end.at); ++period) {
-      const std::optional<FixedPointOptions> smaller = of_divisor(options, period);
-      if (!smaller) continue;
-      const NewtonEnd there = newton(map, end.at, *smaller, reach);
-      if (there.converged) return describe(map, {&there.at, 1}, *smaller)[0];
+    for (const FixedPointOptions& smaller : of_divisors(options)) {
+      if (smaller.period == options.period || !is_finite(end.at)) break;
+      const NewtonEnd there = newton(map, end.at, smaller, reach);
+      if (there.converged) return describe(map, {&there.at, 1}, smaller)[0];
     }
     throw DataError("no point of period " + std::to_string(options.period) + " found from " + format_point(guess) +
                     (std::isfinite(end.residual) ? ": Newton's method ended at " + format_point(end.at) + ", off by " +

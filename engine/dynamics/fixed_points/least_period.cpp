@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "engine/dynamics/fixed_points/classify.hpp"
@@ -36,12 +36,12 @@ std::vector<FixedPoint> as_of_period(const PlanarMap& map, std::span<const Point
 /// it is rounding.
 void mark_degenerate(const PlanarMap& map, std::vector<FixedPoint>& points, const FixedPointOptions& options) {
   constexpr double suspicious = 1e-5, rounding = 1e-14;
-  for (int period = 1; period <= options.period; ++period) {
+  for (const FixedPointOptions& each : of_divisors(options)) {
     std::vector<std::size_t> which;
     std::vector<Point> around;
     for (std::size_t k = 0; k < points.size(); ++k) {
       const Matrix2 a = less_1(points[k].derivative);
-      if (points[k].period != period || std::abs(determinant(a)) > suspicious * (1 + norm_of(a))) continue;
+      if (points[k].period != each.period || std::abs(determinant(a)) > suspicious * (1 + norm_of(a))) continue;
       which.push_back(k);
       const Point z = points[k].at, along = null_direction(a);
       const double reach = uncertainty(points[k], size_at(z, options.extent));
@@ -49,7 +49,7 @@ void mark_degenerate(const PlanarMap& map, std::vector<FixedPoint>& points, cons
                     {{z.x - reach * along.x, z.y - reach * along.y}, {z.x + reach * along.x, z.y + reach * along.y}});
     }
     std::vector<Matrix2> derivatives(around.size());
-    if (!around.empty()) map.iterate_with_derivatives(around, period, derivatives);
+    if (!around.empty()) map.iterate_with_derivatives(around, each.period, derivatives);
     for (std::size_t i = 0; i < which.size(); ++i) {
       FixedPoint& point = points[which[i]];
       const Matrix2 a = less_1(point.derivative);
@@ -75,25 +75,26 @@ std::optional<FixedPoint> of_smaller_period(const PlanarMap& map, const FixedPoi
   if (radius <= certain * size && (all_of_it || point.residual <= exact * size)) return std::nullopt;
   const Point corner{radius, radius};
   const Rectangle near = Rectangle::of(point.at - corner, point.at + corner);
-  for (int period = 1; period <= point.period && period < options.period; ++period) {
-    if (point.period % period != 0) continue;
-    const std::optional<FixedPointOptions> smaller = of_divisor(options, period);
-    if (!smaller) continue;
-    const NewtonEnd end = newton(map, {&point.at, 1}, *smaller, radius, &near)[0];
-    if (end.converged) return as_of_period(map, {&end.at, 1}, *smaller)[0];
+  for (const FixedPointOptions& smaller : of_divisors(options)) {
+    if (point.period % smaller.period != 0 || smaller.period == options.period) continue;
+    const NewtonEnd end = newton(map, {&point.at, 1}, smaller, radius, &near)[0];
+    if (end.converged) return as_of_period(map, {&end.at, 1}, smaller)[0];
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<FixedPointOptions> of_divisor(const FixedPointOptions& options, int period) {
-  const std::int64_t turns = static_cast<std::int64_t>(options.turns) * period;
-  if (options.period % period != 0 || turns % options.period != 0) return std::nullopt;
-  FixedPointOptions smaller = options;
-  smaller.period = period;
-  smaller.turns = static_cast<int>(turns / options.period);
-  return smaller;
+std::vector<FixedPointOptions> of_divisors(const FixedPointOptions& options) {
+  std::vector<FixedPointOptions> result;
+  for (int period = 1; period <= options.period; ++period) {
+    const std::int64_t turns = static_cast<std::int64_t>(options.turns) * period;
+    if (options.period % period != 0 || turns % options.period != 0) continue;
+    result.push_back(options);
+    result.back().period = period;
+    result.back().turns = static_cast<int>(turns / options.period);
+  }
+  return result;
 }
 
 std::vector<FixedPoint> describe(const PlanarMap& map, std::span<const Point> at, const FixedPointOptions& options) {
@@ -102,16 +103,15 @@ std::vector<FixedPoint> describe(const PlanarMap& map, std::span<const Point> at
   std::vector<std::size_t> open(at.size());
   std::iota(open.begin(), open.end(), std::size_t{0});
   // One call for each divisor of the period: calls may cost much.
-  for (int period = 1; period <= options.period && !open.empty(); ++period) {
-    const std::optional<FixedPointOptions> smaller = of_divisor(options, period);
-    if (!smaller) continue;
+  for (const FixedPointOptions& smaller : of_divisors(options)) {
+    if (open.empty()) break;
     std::vector<Point> from;
     from.reserve(open.size());
     for (const std::size_t k : open) from.push_back(at[k]);
-    const std::vector<FixedPoint> points = as_of_period(map, from, *smaller);
+    const std::vector<FixedPoint> points = as_of_period(map, from, smaller);
     std::vector<std::size_t> left;
     for (std::size_t i = 0; i < open.size(); ++i) {
-      if (period < options.period && !(points[i].residual <= same * size_at(from[i], options.extent))) {
+      if (smaller.period < options.period && !(points[i].residual <= same * size_at(from[i], options.extent))) {
         left.push_back(open[i]);
       } else {
         result[open[i]] = points[i];

@@ -1,7 +1,6 @@
 // Least periods of the points that Newton's method finds.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,9 +8,9 @@
 
 namespace lober::detail {
 
-/// The options for the points of a smaller period among those of options.period; none where a point cannot have it: it
-/// does not divide, or would make a part of a turn.
-[[nodiscard]] std::optional<FixedPointOptions> of_divisor(const FixedPointOptions& options, int period);
+/// The options for the points of each period that points of options.period may have, ascending, that itself last: it
+/// divides, and makes whole turns.
+[[nodiscard]] std::vector<FixedPointOptions> of_divisors(const FixedPointOptions& options);
 
 /// The points of f^period(z) = z + shift at these places, by their least periods. A period that divides options.period
 /// is theirs if it makes a whole number of turns. Near a bifurcation the equation for all of options.period is

@@ -124,11 +124,10 @@ std::vector<FixedPoint> detail::scan_for_smaller_periods(const PlanarMap& map, c
                                                          const FixedPointOptions& options, const HalfWayMap& half_way,
                                                          const SearchAllowance* allowance) {
   std::vector<FixedPoint> points;
-  for (int period = 1; period < options.period; ++period) {
-    const std::optional<FixedPointOptions> smaller = of_divisor(options, period);
-    if (!smaller || (allowance && !allowance->has(0))) continue;
-    const ScanGrids grids(map, half_way, box, *smaller);
-    add_points(points, scan(map, box, *smaller, grids, half_way, allowance), std::min(options.extent, extent_of(box)));
+  for (const FixedPointOptions& smaller : of_divisors(options)) {
+    if (smaller.period == options.period || (allowance && !allowance->has(0))) break;
+    const ScanGrids grids(map, half_way, box, smaller);
+    add_points(points, scan(map, box, smaller, grids, half_way, allowance), std::min(options.extent, extent_of(box)));
   }
   return points;
 }
