@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/dynamics/fixed_points/classify.hpp"
+#include "engine/dynamics/fixed_points/degenerate.hpp"
 #include "engine/dynamics/fixed_points/newton.hpp"
 #include "engine/dynamics/fixed_points/uncertainty.hpp"
 #include "engine/dynamics/maps/plane.hpp"
@@ -50,8 +51,10 @@ void mark_degenerate(const PlanarMap& map, std::vector<FixedPoint>& points, cons
     }
     std::vector<Matrix2> derivatives(around.size());
     if (!around.empty()) map.iterate_with_derivatives(around, each.period, derivatives);
+    std::vector<std::size_t> uncertain;
+    std::vector<Point> at;
     for (std::size_t i = 0; i < which.size(); ++i) {
-      FixedPoint& point = points[which[i]];
+      const FixedPoint& point = points[which[i]];
       const Matrix2 a = less_1(point.derivative);
       const double here = determinant(a), norm = 1 + norm_of(a);
       const auto is_near = [&](const Matrix2& d) {
@@ -59,7 +62,15 @@ void mark_degenerate(const PlanarMap& map, std::vector<FixedPoint>& points, cons
       };
       const bool certain =
           std::abs(here) > rounding * norm * norm && is_near(derivatives[2 * i]) && is_near(derivatives[2 * i + 1]);
-      if (!certain) classify_degenerate(point);
+      if (certain) continue;
+      uncertain.push_back(which[i]);
+      at.push_back(point.at);
+    }
+    sharpen_degenerate(map, at, each);
+    const std::vector<FixedPoint> sharp = as_of_period(map, at, each);
+    for (std::size_t i = 0; i < uncertain.size(); ++i) {
+      points[uncertain[i]] = sharp[i];
+      classify_degenerate(points[uncertain[i]]);
     }
   }
 }

@@ -379,6 +379,32 @@ TEST(FixedPointSearch, DegeneratePointsAreParabolic) {
   }
 }
 
+// Newton's method ends 1e-8 away where two points meet, 1e-6 where three do.
+TEST(FixedPointSearch, DegeneratePointsAreWhereTheyAre) {
+  struct Case {
+    const char* system;
+    const char* parameter;
+    double value;
+    int period;
+    Point at;
+    double error;
+  };
+  const double pi = std::numbers::pi, golden = std::numbers::phi;
+  for (const Case& c :
+       {Case{"henon", "k", -1, 1, {1, 1}, 1e-13}, Case{"henon", "k", -1, 4, {1, 1}, 1e-13},
+        Case{"henon", "k", 1, 3, {-1, 0}, 1e-13}, Case{"henon", "k", 1, 3, {0, -1}, 1e-13},
+        Case{"henon", "k", 3, 6, {-2, golden}, 2e-8}, Case{"henon", "k", 3, 6, {1 - golden, 1 - golden}, 2e-8},
+        Case{"standard", "K", 2 * pi, 2, {pi / 2, -pi}, 2e-8}}) {
+    SCOPED_TRACE(std::string(c.system) + " " + std::to_string(c.value) + ", period " + std::to_string(c.period));
+    const System system = make_system(c.system, {{c.parameter, c.value}});
+    const Rectangle box = Box::of({-3.4, -3.3}, {3.5, 3.6});
+    const FixedPointSearch search = search_fixed_points(*system.map, box, {.period = c.period});
+    EXPECT_TRUE(std::any_of(search.points.begin(), search.points.end(), [&](const FixedPoint& point) {
+      return point.kind == FixedPointKind::parabolic && length(point.at - c.at) < c.error;
+    }));
+  }
+}
+
 // Newton's method comes near to a zero where the displacement is small but is not one: residuals were 1e-7.
 TEST(FixedPointSearch, FloorsOfValleysAreNoPoints) {
   const System henon = make_system("henon", {{"k", 0.5}});
