@@ -20,12 +20,14 @@ namespace {
 /// The map of an object with
 ///   once(points, forward) -> (images, evaluations of the field, 0 for none)
 ///   iterate_with_derivatives(points, iterates) -> (images, derivatives)
-///   action(from, to) -> number or None, action_accuracy, finer() -> such an object or None,
+///   action(from, to) -> number or None, action_accuracy, has_inverse, finer() -> such an object or None,
 /// which are called with the GIL, by one thread at a time.
 class PythonMap final : public PlanarMap {
  public:
   explicit PythonMap(py::object object)
-      : object_(std::move(object)), unit_(unit_within(object_.attr("extent").cast<double>())) {}
+      : object_(std::move(object)),
+        unit_(unit_within(object_.attr("extent").cast<double>())),
+        has_inverse_(object_.attr("has_inverse").cast<bool>()) {}
   ~PythonMap() override {
     const py::gil_scoped_acquire acquired;
     object_ = py::object();
@@ -71,6 +73,7 @@ class PythonMap final : public PlanarMap {
   }
 
   [[nodiscard]] double unit() const override { return unit_; }
+  [[nodiscard]] bool takes_all_iterates() const override { return has_inverse_; }
   /// A call costs as much as hundreds of points.
   [[nodiscard]] std::size_t batch() const override { return 4096; }
 
@@ -98,6 +101,7 @@ class PythonMap final : public PlanarMap {
 
   py::object object_;
   double unit_;
+  bool has_inverse_;
 };
 
 SystemHandle make_own_system(py::object map, const py::kwargs& given) {

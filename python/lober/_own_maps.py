@@ -35,6 +35,7 @@ class OwnMap:
     """The methods that the engine needs of a map (bindings/python_map.cpp)."""
 
     action_accuracy = 1e-15
+    has_inverse = True
     extent = np.inf
 
     def step(self, x: Array, forward: bool) -> tuple[Array, int]:
@@ -77,6 +78,7 @@ class FormulaMap(OwnMap):
         self.extent = extent
         self._forward = Columns(forward, name)
         self._inverse = None if inverse is None else Columns(inverse, name)
+        self.has_inverse = inverse is not None
         self._action = action
 
     def step(self, x: Array, forward: bool) -> tuple[Array, int]:

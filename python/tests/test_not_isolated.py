@@ -45,3 +45,14 @@ def test_isolated_points_stay_isolated_even_where_they_are_degenerate():
     found = found_in(lambda x, y: (x + x * x, 0.5 * y), box=(-1, -1, 1, 1.1))
     assert found.isolated
     assert lober.fixed_points("henon").isolated
+
+
+def test_a_map_without_its_inverse_has_points_of_longer_periods():
+    def cubic(x, y):
+        return 3.2 * x * (1 - x), 0.5 * y + x - 0.5
+
+    found = lober.fixed_points(lober.map(cubic)(), box=(-0.2, -2.1, 1.2, 2.2), period=2)
+    assert found.settled
+    of_period_2 = sorted(one.at[0] for one in found if one.period == 2)
+    # The two of the logistic map, (1 + r +- sqrt((r - 3) (r + 1))) / 2 r.
+    assert of_period_2 == pytest.approx([0.5130445095326298, 0.7994554904673701], abs=1e-12)

@@ -36,6 +36,7 @@ class WatchedMap final : public PlanarMap {
   }
   [[nodiscard]] std::optional<long double> action(Point from, Point to) const override { return map_.action(from, to); }
   [[nodiscard]] double unit() const override { return map_.unit(); }
+  [[nodiscard]] bool takes_all_iterates() const override { return map_.takes_all_iterates(); }
 
   // Turns a report of growing, from the calling thread, into a booking: the finished part, the iterate before the
   // present one, which is the guide, and the present one.

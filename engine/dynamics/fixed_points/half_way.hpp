@@ -23,8 +23,8 @@ class HalfWayMap final : public PlanarMap {
   /// h is f itself; b = k / 2, rounded down.
   explicit HalfWayMap(const PlanarMap& whole) : step_(whole) {}
 
-  /// Whether f^period stretches more.
-  [[nodiscard]] bool helps(int period) const { return half_ != nullptr || period > 1; }
+  /// Whether f^period stretches more, and there is a way back.
+  [[nodiscard]] bool helps(int period) const { return half_ != nullptr || (period > 1 && step_.takes_all_iterates()); }
   /// Whether the work counted here is not that of f.
   [[nodiscard]] bool counts_apart() const { return half_ != nullptr; }
 

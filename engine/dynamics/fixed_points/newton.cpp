@@ -129,7 +129,7 @@ class Iteration {
 /// limits that look like fixed points.
 void mark_converged(const PlanarMap& map, const FixedPointOptions& options, std::span<const Iteration> iterations,
                     std::vector<NewtonEnd>& ends) {
-  constexpr double rounding = 1e-14, small = 1e-7, close = 1e-5;
+  constexpr double rounding = 1e-14, small = 1e-7, close = 1e-5, largest = 1e-5;
   const double noise = noise_of(map);
   std::vector<std::size_t> candidates;
   std::vector<Point> around;
@@ -138,7 +138,7 @@ void mark_converged(const PlanarMap& map, const FixedPointOptions& options, std:
     // The residual is noise, which may ask for any step where the derivative is nearly 1; or else the next step is
     // short: along the floor of a valley the residual is small, and steps are long. No step gets below rounding.
     const double size = size_at(ends[k].at, options.extent), residual = ends[k].residual;
-    const double scale = size * (1 + ends[k].norm);
+    const double scale = size * std::min(1 + ends[k].norm, largest / noise);
     const bool is_near = residual <= noise * scale || (residual <= small * size && ends[k].step <= close * size);
     if (iterations[k].stalled() ? residual > rounding * scale : !is_near) continue;
     candidates.push_back(k);

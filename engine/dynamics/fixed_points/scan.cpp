@@ -76,7 +76,8 @@ std::vector<Point> orbit_in_box(const PlanarMap& map, const FixedPoint& point, c
       squares > 0 ? std::min(max_copies, std::ceil(std::hypot(box.width(), box.height()) / std::sqrt(squares))) : 0;
   std::vector<Point> places;
   Point z = point.at;
-  for (int k = 0; k < point.period && is_finite(z); ++k) {
+  const int images = map.takes_all_iterates() ? point.period : 1;
+  for (int k = 0; k < images && is_finite(z); ++k) {
     const double nearest = squares > 0 ? std::round(dot(middle - z, lattice) / squares) : 0;
     for (double n = nearest - copies; n <= nearest + copies; ++n) {
       const Point place{z.x + n * lattice.x, z.y + n * lattice.y};

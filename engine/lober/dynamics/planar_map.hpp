@@ -67,6 +67,8 @@ class LOBER_API PlanarMap {
 
   /// The same map integrated to a hundredth of the tolerance; nothing for a map that is given by formulas.
   [[nodiscard]] virtual std::unique_ptr<PlanarMap> finer() const { return nullptr; }
+  /// Whether `iterate` takes every number of iterates, negative ones too: not where the inverse is not known.
+  [[nodiscard]] virtual bool takes_all_iterates() const { return true; }
   /// The flow whose step this map is, counted in halves of a step: n iterates from a point take n / 2 steps of time,
   /// those of negative n back in time. A point has f^k(z) = z exactly where half a way on and half a way back meet,
   /// half()->iterate(z, k) and half()->iterate(z, -k), each of which stretches by the square root only. Nothing for

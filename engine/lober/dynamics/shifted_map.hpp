@@ -32,6 +32,7 @@ class LOBER_API ShiftedMap final : public PlanarMap {
   void iterate_with_derivatives(std::span<Point> points, int iterates, std::span<Matrix2> derivatives) const override;
   [[nodiscard]] double unit() const override { return map_->unit(); }
   [[nodiscard]] std::size_t batch() const override { return map_->batch(); }
+  [[nodiscard]] bool takes_all_iterates() const override { return period_ == 1 && map_->takes_all_iterates(); }
   [[nodiscard]] std::unique_ptr<PlanarMap> finer() const override;
   [[nodiscard]] std::uint64_t work() const override { return map_->work(); }
   [[nodiscard]] std::uint64_t work_of_derivatives() const override { return map_->work_of_derivatives(); }
