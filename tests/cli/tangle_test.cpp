@@ -36,6 +36,26 @@ TEST_F(TangleProgram, SaysWhenImagesHaveOtherAreas) {
   EXPECT_EQ(tangle({"u", "s", "--period", "2", "--closure", "20.5,3,-1,3"})["agreement"], true);
 }
 
+// Both manifolds begin at one saddle, and a path there may have any corners: its loop is one more part where the other
+// side of it lies, and all of the area where it lies round the rest. Signed areas take parts away or count them twice.
+TEST_F(TangleProgram, APathMayBeALoop) {
+  const double region = tangle({demo, "--closure", "4,2,4,4"})["boundary"]["area"].get<double>() - 2;  // of a triangle
+  EXPECT_NEAR(region, 6.4101, 1e-4);
+  for (const std::string smooth : {"", "--smooth"}) {
+    const auto found = [&](const std::string& corners) {
+      std::vector<std::string> arguments{"tangle", demo, "--closure", corners, "--json", "-"};
+      if (!smooth.empty()) arguments.push_back(smooth);
+      return Json::parse(run(arguments).out);
+    };
+    const Json beside = found("4,4,4,2")["boundary"];
+    EXPECT_NEAR(beside["area"].get<double>(), region + 2, smooth.empty() ? 1e-12 : 2e-4);
+    EXPECT_EQ(beside["crosses_itself"], true);
+    const Json round = found("-4,4,-4,-4,4,-4");
+    EXPECT_NEAR(round["boundary"]["area"].get<double>(), 48, 1e-12);
+    EXPECT_NEAR(round["lobes"][3]["outside"].get<double>(), 0, 1e-12);
+  }
+}
+
 TEST_F(TangleProgram, FindsPipsLobesAndBoundary) {
   const Json result = tangle({"u", "s"});
   EXPECT_EQ(result["crossings"]["count"], 4);

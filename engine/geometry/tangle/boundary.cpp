@@ -31,8 +31,8 @@ struct ClosureCuts {
 ClosureCuts cuts_of_closure(const Tangle& tangle, const ClosingPath& closure) {
   ClosureCuts cuts{false, std::vector<bool>(tangle.lobes.size())};
   if (!closure.has_length()) return cuts;
-  if (closure.meets_itself()) {
-    // It may only touch itself, or go some way and come back.
+  if (closure.meets_itself() || closure.is_loop()) {
+    // It may only touch itself, or go some way and come back; a loop may lie round the rest, or turn the other way.
     constexpr double negligible = 1e-12;
     const std::vector<Point> outline = boundary_outline(tangle);
     const double wound = nonzero_area(outline);

@@ -21,6 +21,8 @@ class ClosingPath {
   /// Whether it has any length; else it meets nothing, and there is no index of it.
   [[nodiscard]] bool has_length() const { return index_.has_value(); }
   [[nodiscard]] const IndexedCurve& index() const { return *index_; }
+  /// Whether both its ends are one point, and it has others: the boundary then touches itself there.
+  [[nodiscard]] bool is_loop() const { return has_length() && points_.front() == points_.back(); }
   /// Whether it meets itself but where its segments join, and where both its ends are one point.
   [[nodiscard]] bool meets_itself() const { return meets_itself_; }
   /// Where U and S, curve 1 of these graphs, meet it, curve 2.
