@@ -72,7 +72,7 @@ const OptionList<ImageHow>& image_options() {
             "back may be wrong or missing",
             {.otherwise = "the box of the curve and of the system's window, three times as wide and high"})
         .option("max_points", &How::max_points, "maximum number of points of an image, at which it ends",
-                {.min = 2, .max = 2'147'483'646, .value = "N"});
+                {.min = 3, .max = 2'147'483'646, .value = "N"});
     return add_work_option(list);
   }();
   return options;
@@ -285,20 +285,27 @@ Outcome run_image(std::span<const Input> inputs, const Options& options, const C
   found.image_seconds = image_watch.seconds();
   compare_image_areas(found, *system.map);
   const std::size_t wanted = static_cast<std::size_t>(last - how.first + 1) * (given.second.empty() ? 1 : 2);
-  const bool left_out = found.images.size() < wanted;
+  const std::size_t left_out = wanted - std::min(wanted, found.images.size());
   Outcome outcome = outcome_of(std::move(found), options);
+  const auto add_reason = [&](const std::string& reason) {
+    outcome.incomplete += (outcome.incomplete.empty() ? "" : "; ") + reason;
+  };
+  if (left_out > 0) {
+    const std::string images = left_out == 1 ? "1 image is" : std::to_string(left_out) + " images are";
+    add_reason(images + " left out, since max_points allows no more");
+  }
   for (const FollowedImage& one : outcome.as<CurveImages>().images) {
     if (one.image.stop == GrowthStop::points) {
-      outcome.incomplete = one.name() + " ends early, with " + std::to_string(one.image.points.size()) +
-                           " points, since max_points allows no more; give a larger max_points";
+      add_reason(one.name() + " ends early, with " + std::to_string(one.image.points.size()) +
+                 " points, since max_points allows no more");
     } else if (one.image.stop == GrowthStop::work) {
-      outcome.incomplete = one.name() + " is left out, since max_work allows no more; give a larger max_work";
+      add_reason(one.name() + " is left out, since max_work allows no more");
     } else if (one.image.stop == GrowthStop::failed) {
-      outcome.incomplete = one.name() + " ends early: no point has an image near by";
+      add_reason(one.name() + " ends early: no point has an image near by");
     }
   }
-  if (left_out && outcome.incomplete.empty()) {
-    outcome.incomplete = "images are left out, since max_points allows no more; give a larger max_points";
+  for (const char* const limit : {"max_points", "max_work"}) {
+    if (outcome.incomplete.find(limit) != std::string::npos) add_reason(std::string("give a larger ") + limit);
   }
   outcome.chosen = {{"last", std::int64_t{last}}, {"box", outcome.as<CurveImages>().box}, {"tolerance", how.tolerance}};
   return outcome;

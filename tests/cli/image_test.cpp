@@ -133,6 +133,15 @@ TEST_F(ImageProgram, SaysWhereTheToleranceDoesNotHold) {
       << limited.err;
 }
 
+TEST_F(ImageProgram, SaysOfAllImagesThatEndEarly) {
+  const Outcome both = run({"image", "capsize", "--circle", "0.1,0,0.15", "--iterates=-2:2", "--max-points", "700"});
+  EXPECT_EQ(both.status, 0);
+  for (const std::string said :
+       {"f^-1 ends early", "f^1 ends early", "2 images are left out", "a larger max_points\n"}) {
+    EXPECT_NE(both.err.find(said), std::string::npos) << both.err;
+  }
+}
+
 TEST_F(ImageProgram, HasTheSameBytesForAnyNumberOfThreads) {
   std::set<std::string> seen;
   for (const char* threads : {"1", "2", "7"}) {
