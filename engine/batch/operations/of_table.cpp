@@ -223,7 +223,7 @@ Operation operation_of(const operations::Operation& entry, const TableJob& job) 
                      has_output = static_cast<bool>(job.points), not_kept = job.not_kept,
                      reason = reason_not_kept(operation)](const Options& options) {
     for (const std::string& key : not_kept) {
-      if (options.flag(key)) throw UsageError(key + ": " + reason);
+      if (options.flag(key)) throw UsageError(std::string(key).append(": ").append(reason));
     }
     for (const OptionSpec& spec : required) {
       if (options.find(spec.key) == nullptr) throw UsageError(spec.key + ": is missing: the " + spec.meaning);

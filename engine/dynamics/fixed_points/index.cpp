@@ -105,10 +105,12 @@ std::optional<int> detail::index_around(const PlanarMap& map, Point centre, doub
                                         const FixedPointOptions& options) {
   constexpr std::size_t samples = 32;
   constexpr double max_samples = 4096;
-  for (double radius = 1e-6 * size_at(centre, options.extent); radius <= most; radius *= 4) {
+  double radius = 1e-6 * size_at(centre, options.extent);
+  while (radius <= most) {
     const std::optional<int> turns = turns_along(
         map, [&](double t) { return on_circle(centre, radius, t); }, samples, options, max_samples);
     if (turns) return turns;
+    radius *= 4;
   }
   return std::nullopt;
 }

@@ -72,15 +72,15 @@ std::vector<Point> orbit_in_box(const PlanarMap& map, const FixedPoint& point, c
   constexpr double max_copies = 64;
   const double squares = dot(lattice, lattice);
   const Point middle{0.5 * (box.min_x + box.max_x), 0.5 * (box.min_y + box.max_y)};
-  const double copies =
-      squares > 0 ? std::min(max_copies, std::ceil(std::hypot(box.width(), box.height()) / std::sqrt(squares))) : 0;
+  const double across = squares > 0 ? std::ceil(std::hypot(box.width(), box.height()) / std::sqrt(squares)) : 0;
+  const int copies = static_cast<int>(std::min(max_copies, across));
   std::vector<Point> places;
   Point z = point.at;
   const int images = map.takes_all_iterates() ? point.period : 1;
   for (int k = 0; k < images && is_finite(z); ++k) {
     const double nearest = squares > 0 ? std::round(dot(middle - z, lattice) / squares) : 0;
-    for (double n = nearest - copies; n <= nearest + copies; ++n) {
-      const Point place{z.x + n * lattice.x, z.y + n * lattice.y};
+    for (int n = -copies; n <= copies; ++n) {
+      const Point place{z.x + (nearest + n) * lattice.x, z.y + (nearest + n) * lattice.y};
       if (in_box(box, place)) places.push_back(place);
     }
     map.iterate({&z, 1}, 1);

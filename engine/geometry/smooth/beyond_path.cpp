@@ -190,7 +190,9 @@ double largest_hidden(const SmoothSegment& segment, double square, std::span<con
 
 struct LegBesideArc {
   std::size_t segment, leg;
-  friend auto operator<=>(const LegBesideArc&, const LegBesideArc&) = default;
+  friend bool operator<(LegBesideArc x, LegBesideArc y) {
+    return x.segment != y.segment ? x.segment < y.segment : x.leg < y.leg;
+  }
 };
 
 class LegSearch {

@@ -263,7 +263,7 @@ std::optional<Measured> WindingSums::measure(std::optional<std::size_t> lobe, do
   // Whether these closed curves wind beside one of two nodes.
   const auto wind_beside = [&](const Windings& windings, const Node& one, const Node& other) {
     for (const Node* node : {&one, &other}) {
-      for (const std::size_t own : {0, 1}) {
+      for (const std::size_t own : {std::size_t{0}, std::size_t{1}}) {
         const Sides* const sides = &windings[node->curve[own]][node->rank[own]];
         if (!(sides[0] == Sides{} && sides[1] == Sides{})) return true;
       }
