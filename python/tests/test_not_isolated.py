@@ -48,10 +48,10 @@ def test_isolated_points_stay_isolated_even_where_they_are_degenerate():
 
 
 def test_a_map_without_its_inverse_has_points_of_longer_periods():
-    def cubic(x, y):
+    def logistic(x, y):
         return 3.2 * x * (1 - x), 0.5 * y + x - 0.5
 
-    found = lober.fixed_points(lober.map(cubic)(), box=(-0.2, -2.1, 1.2, 2.2), period=2)
+    found = lober.fixed_points(lober.map(logistic)(), box=(-0.2, -2.1, 1.2, 2.2), period=2)
     assert found.settled
     of_period_2 = sorted(one.at[0] for one in found if one.period == 2)
     # The two of the logistic map, (1 + r +- sqrt((r - 3) (r + 1))) / 2 r.

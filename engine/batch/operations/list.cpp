@@ -1,5 +1,4 @@
 // The table of operations as users see it (lober/batch.hpp).
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -40,8 +39,7 @@ OperationInfo described(const Operation& operation) {
   info.open = operation.open;
   info.view = operation.view;
   for (const OptionSpec& spec : operation.options) {
-    const std::vector<std::string>& refused = operation.not_kept;
-    if (std::find(refused.begin(), refused.end(), spec.key) == refused.end()) info.options.push_back(described(spec));
+    if (operation.keeps(spec.key)) info.options.push_back(described(spec));
   }
   for (const Column& column : operation.columns) info.columns.push_back(column.name);
   info.lists = operation.lists;

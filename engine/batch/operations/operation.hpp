@@ -1,6 +1,7 @@
 // The work of a job. One table of operations; each is a file in operations/.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -59,6 +60,10 @@ struct Operation {
   std::vector<OptionSpec> options = {};
   /// Flags among the options that no job may set, since no column or list has their results: nothing proposes them.
   std::vector<std::string> not_kept = {};
+  /// Whether a job may set that option.
+  [[nodiscard]] bool keeps(const std::string& key) const {
+    return std::find(not_kept.begin(), not_kept.end(), key) == not_kept.end();
+  }
   std::vector<Column> columns = {};  ///< names that SQL takes in quotes; of those in the table, see store_format
   std::vector<std::string> lists = {};
   /// The elements of lists as columns of their own, which exports have behind the others: those of one result, where

@@ -51,13 +51,10 @@ std::string reason_not_kept(const Operation& operation) {
 }
 
 Options job_options(const Operation& operation, std::span<const OptionSetting> settings) {
-  const auto has = [](const std::vector<std::string>& keys, const std::string& key) {
-    return std::find(keys.begin(), keys.end(), key) != keys.end();
-  };
   std::vector<std::string> all, kept;
   for (const OptionSpec& spec : operation.options) {
     all.push_back(spec.key);
-    if (!has(operation.not_kept, spec.key)) kept.push_back(spec.key);
+    if (operation.keeps(spec.key)) kept.push_back(spec.key);
   }
   for (const OptionSetting& setting : settings) {
     if (std::any_of(operation.options.begin(), operation.options.end(),
@@ -66,8 +63,8 @@ Options job_options(const Operation& operation, std::span<const OptionSetting> s
     }
     const std::string meant = nearest_word(setting.key, all);
     throw UsageError(setting.key + ": there is no such option; there are " + joined(kept) +
-                     (has(operation.not_kept, meant) ? "; " + meant + " is refused: " + reason_not_kept(operation)
-                                                     : did_you_mean(setting.key, kept)));
+                     (operation.keeps(meant) ? did_you_mean(setting.key, kept)
+                                             : "; " + meant + " is refused: " + reason_not_kept(operation)));
   }
   return {operation.options, settings};
 }

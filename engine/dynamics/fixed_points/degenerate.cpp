@@ -11,25 +11,8 @@
 namespace lober::detail {
 namespace {
 
-struct Here {
-  Point gap;
-  Matrix2 a;  // D - 1
-};
-
-Here here_at(const PlanarMap& map, Point z, const FixedPointOptions& options) {
-  Matrix2 derivative;
-  const Point image = map.iterate_with_derivative(z, options.period, derivative);
-  return {gap_between(z, image, options), less_1(derivative)};
-}
-
-// The step across the direction in which D - 1 vanishes that comes nearest to a zero.
-Point across(const Here& here) {
-  const double squares = norm_of(here.a) * norm_of(here.a);
-  return {-(here.a.xx * here.gap.x + here.a.yx * here.gap.y) / squares,
-          -(here.a.xy * here.gap.x + here.a.yy * here.gap.y) / squares};
-}
-
-// How far on along that direction the determinant is zero or least, by its values within `reach`.
+// How far on along the direction in which D - 1 vanishes the determinant is zero or least, by its values within
+// `reach`.
 std::optional<double> way_to_degeneracy(double before, double here, double after, double reach, double noise) {
   constexpr double clear = 10, above = 100;
   const double slope = 0.5 * (after - before), bend = 0.5 * (after + before) - here;
@@ -42,24 +25,28 @@ std::optional<double> way_to_degeneracy(double before, double here, double after
 Point on_floor(const PlanarMap& map, Point z, double way, Point along, const FixedPointOptions& options) {
   constexpr int rounds = 2;
   Point place{z.x + way * along.x, z.y + way * along.y};
-  for (int round = 0; round < rounds; ++round) place = place + across(here_at(map, place, options));
+  for (int round = 0; round < rounds; ++round) {
+    const Displacement here = displacement_at(map, place, options);
+    place = place + shortest_step(less_1(here.derivative), here.gap);
+  }
   return place;
 }
 
 std::optional<Point> sharper(const PlanarMap& map, Point z, double reach, const FixedPointOptions& options) {
   constexpr double rounding = 1e-15;
-  const Here here = here_at(map, z, options);
-  const Point along = null_direction(here.a);
+  const Displacement here = displacement_at(map, z, options);
+  const Matrix2 a = less_1(here.derivative);
+  const Point along = null_direction(a);
   const auto determinant_at = [&](double way) {
-    return determinant(here_at(map, on_floor(map, z, way, along, options), options).a);
+    return determinant(less_1(displacement_at(map, on_floor(map, z, way, along, options), options).derivative));
   };
-  const double norm = 1 + norm_of(here.a);
-  const std::optional<double> way = way_to_degeneracy(determinant_at(-reach), determinant(here.a),
-                                                      determinant_at(reach), reach, rounding * norm * norm);
+  const double norm = 1 + norm_of(a);
+  const std::optional<double> way =
+      way_to_degeneracy(determinant_at(-reach), determinant(a), determinant_at(reach), reach, rounding * norm * norm);
   if (!way || !(std::abs(*way) < reach)) return std::nullopt;
   const Point there = on_floor(map, z, *way, along, options);
   const double most = noise_of(map) * size_at(z, options.extent) * norm;
-  const double residual = length(here_at(map, there, options).gap);
+  const double residual = length(displacement_at(map, there, options).gap);
   return residual <= std::max(length(here.gap), most) ? std::optional(there) : std::nullopt;
 }
 

@@ -49,8 +49,9 @@ void mark_degenerate(const PlanarMap& map, std::vector<FixedPoint>& points, cons
       around.insert(around.end(),
                     {{z.x - reach * along.x, z.y - reach * along.y}, {z.x + reach * along.x, z.y + reach * along.y}});
     }
+    if (which.empty()) continue;
     std::vector<Matrix2> derivatives(around.size());
-    if (!around.empty()) map.iterate_with_derivatives(around, each.period, derivatives);
+    map.iterate_with_derivatives(around, each.period, derivatives);
     std::vector<std::size_t> uncertain;
     std::vector<Point> at;
     for (std::size_t i = 0; i < which.size(); ++i) {
@@ -66,6 +67,7 @@ void mark_degenerate(const PlanarMap& map, std::vector<FixedPoint>& points, cons
       uncertain.push_back(which[i]);
       at.push_back(point.at);
     }
+    if (uncertain.empty()) continue;
     sharpen_degenerate(map, at, each);
     const std::vector<FixedPoint> sharp = as_of_period(map, at, each);
     for (std::size_t i = 0; i < uncertain.size(); ++i) {

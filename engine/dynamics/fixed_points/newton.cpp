@@ -12,12 +12,10 @@ namespace {
 
 /// Solves (D - 1) s = -gap; if `singular`, where D - 1 is so to rounding, the shortest s that comes nearest to that.
 Point newton_step(const Displacement& here, bool singular) {
-  const Matrix2 a{here.derivative.xx - 1, here.derivative.xy, here.derivative.yx, here.derivative.yy - 1};
+  const Matrix2 a = less_1(here.derivative);
   const double d = determinant(a);
   const double squares = a.xx * a.xx + a.xy * a.xy + a.yx * a.yx + a.yy * a.yy;
-  if (singular && std::abs(d) <= 1e-15 * squares && squares > 0) {
-    return {-(a.xx * here.gap.x + a.yx * here.gap.y) / squares, -(a.xy * here.gap.x + a.yy * here.gap.y) / squares};
-  }
+  if (singular && std::abs(d) <= 1e-15 * squares && squares > 0) return shortest_step(a, here.gap);
   return {(a.xy * here.gap.y - a.yy * here.gap.x) / d, (a.yx * here.gap.x - a.xx * here.gap.y) / d};
 }
 

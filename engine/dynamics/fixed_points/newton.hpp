@@ -19,6 +19,23 @@ struct Displacement {
 inline Point gap_between(Point z, Point image, const FixedPointOptions& options) {
   return image - z - options.shift();
 }
+inline Displacement displacement_at(const PlanarMap& map, Point z, const FixedPointOptions& options) {
+  Displacement here{};
+  const Point image = map.iterate_with_derivative(z, options.period, here.derivative);
+  here.gap = gap_between(z, image, options);
+  return here;
+}
+
+/// D - 1, whose determinant is the product of 1 - multiplier.
+inline Matrix2 less_1(const Matrix2& derivative) {
+  return {derivative.xx - 1, derivative.xy, derivative.yx, derivative.yy - 1};
+}
+
+/// Where `a` = D - 1 is singular, the shortest step that comes nearest to a zero.
+inline Point shortest_step(const Matrix2& a, Point gap) {
+  const double squares = a.xx * a.xx + a.xy * a.xy + a.yx * a.yx + a.yy * a.yy;
+  return {-(a.xx * gap.x + a.yx * gap.y) / squares, -(a.xy * gap.x + a.yy * gap.y) / squares};
+}
 
 /// The size that an error of z is relative to, in a region of this extent.
 inline double size_at(Point z, double extent) {

@@ -29,17 +29,26 @@ bool in_box(const Rectangle& box, Point z) {
   return box.min_x - slack <= z.x && z.x <= box.max_x + slack && box.min_y - slack <= z.y && z.y <= box.max_y + slack;
 }
 
+/// The numbers of the ends that have converged in the box, and their places.
+struct Arrived {
+  std::vector<std::size_t> which;
+  std::vector<Point> at;
+};
+Arrived arrived_in(const Rectangle& box, std::span<const NewtonEnd> ends) {
+  Arrived arrived;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    if (!ends[k].converged || !in_box(box, ends[k].at)) continue;
+    arrived.which.push_back(k);
+    arrived.at.push_back(ends[k].at);
+  }
+  return arrived;
+}
+
 /// Newton's method goes on by the map from where it has ended half way; those that did not converge, or did so outside
 /// the box, stay as they are.
 std::vector<NewtonEnd> by_the_map_itself(const PlanarMap& map, std::vector<NewtonEnd> ends, const Rectangle& box,
                                          const FixedPointOptions& options) {
-  std::vector<std::size_t> which;
-  std::vector<Point> guesses;
-  for (std::size_t k = 0; k < ends.size(); ++k) {
-    if (!ends[k].converged || !in_box(box, ends[k].at)) continue;
-    which.push_back(k);
-    guesses.push_back(ends[k].at);
-  }
+  const auto [which, guesses] = arrived_in(box, ends);
   const std::vector<NewtonEnd> final_ends = newton(map, guesses, options, 1e-3 * extent_of(box), nullptr, true);
   for (std::size_t i = 0; i < which.size(); ++i) ends[which[i]] = final_ends[i];
   return ends;
@@ -52,13 +61,7 @@ std::vector<std::optional<FixedPoint>> follow(const PlanarMap& map, const Planar
                                               const Rectangle& box, const FixedPointOptions& options) {
   std::vector<NewtonEnd> ends = newton(met, guesses, options, reach, &around, true);
   if (&met != &map) ends = by_the_map_itself(map, ends, box, options);
-  std::vector<std::size_t> which;
-  std::vector<Point> at;
-  for (std::size_t k = 0; k < ends.size(); ++k) {
-    if (!ends[k].converged || !in_box(box, ends[k].at)) continue;
-    which.push_back(k);
-    at.push_back(ends[k].at);
-  }
+  const auto [which, at] = arrived_in(box, ends);
   const std::vector<FixedPoint> points = describe(map, at, options);
   std::vector<std::optional<FixedPoint>> found(guesses.size());
   for (std::size_t k = 0; k < which.size(); ++k) {

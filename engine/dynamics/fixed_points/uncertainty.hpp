@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/dynamics/fixed_points/newton.hpp"
 #include "engine/dynamics/maps/plane.hpp"
 #include "lober/dynamics/fixed_points.hpp"
 
@@ -12,11 +13,6 @@ namespace lober::detail {
 
 /// Ends that are no further apart than that, relative to size_at, are the same point.
 inline constexpr double same_place = 1e-6;
-
-/// D - 1, whose determinant is the product of 1 - multiplier.
-inline Matrix2 less_1(const Matrix2& derivative) {
-  return {derivative.xx - 1, derivative.xy, derivative.yx, derivative.yy - 1};
-}
 
 /// The direction in which D - 1 moves points least, or nearly so: across its longer row.
 inline Point null_direction(const Matrix2& a) {

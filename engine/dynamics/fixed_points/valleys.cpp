@@ -37,9 +37,7 @@ std::optional<Floor> floor_near(const PlanarMap& map, Point z, const Floor* befo
   constexpr double widest = 0.03, flat = 1e-3;
   const Point from = z;
   for (int round = 0; round < max_rounds && length(z - from) <= reach; ++round) {
-    Matrix2 derivative;
-    const Point image = map.iterate_with_derivative(z, options.period, derivative);
-    const Point gap = gap_between(z, image, options);
+    const auto [gap, derivative] = displacement_at(map, z, options);
     const Matrix2 a = less_1(derivative);
     if (!is_finite(gap) || !(narrowness(a) < widest)) return std::nullopt;
     const Point first{a.xx, a.yx}, second{a.xy, a.yy};

@@ -48,10 +48,8 @@ struct detail::DiscretisationData {
     return *arcs_;
   }
   static std::unique_ptr<const Arcs> made_of(CurveView curve) {
-    constexpr std::size_t block = 256 * ArcBoxes::segments_a_leaf;
     auto made = std::make_unique<Arcs>(curve);
-    for_each_block(curve.segments(), block, [&](std::size_t begin, std::size_t end) { made->boxes.add(begin, end); });
-    made->boxes.join();
+    made->boxes.add_all();
     return made;
   }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "engine/base/parallel/parallel.hpp"
+
 namespace lober::detail {
 namespace {
 
@@ -105,6 +107,12 @@ void ArcBoxes::add(std::size_t begin, std::size_t end) {
     bends_[leaf] = bend;
     strips_[leaf] = {window[1], window[points], distance_from_chord(window + 1, points) + bend};
   }
+}
+
+void ArcBoxes::add_all() {
+  constexpr std::size_t block = 64 * segments_a_leaf;
+  for_each_block(segments_, block, [this](std::size_t begin, std::size_t end) { add(begin, end); });
+  join();
 }
 
 void ArcBoxes::join() {

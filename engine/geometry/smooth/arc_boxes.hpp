@@ -31,6 +31,8 @@ class ArcBoxes {
   void add(std::size_t begin, std::size_t end);
   /// The boxes above leaves. O(n / 16).
   void join();
+  /// Both for all segments, in parallel.
+  void add_all();
 
   [[nodiscard]] std::uint32_t levels() const { return levels_; }
   [[nodiscard]] std::uint32_t nodes(std::uint32_t level) const { return size_[level]; }

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/smooth/arc_boxes.hpp"
 
 namespace lober::detail {
@@ -236,9 +235,7 @@ class LegSearch {
 
 double twice_beyond_path(const SmoothCurve& curve, std::span<const Point> path, std::size_t segments) {
   ArcBoxes boxes(curve);
-  for_each_block(curve.segments(), 64 * ArcBoxes::segments_a_leaf,
-                 [&](std::size_t begin, std::size_t end) { boxes.add(begin, end); });
-  boxes.join();
+  boxes.add_all();
   const std::vector<LegBesideArc> near = LegSearch(boxes, path, segments).find();
   double area = 0;
   std::vector<Point> legs;
