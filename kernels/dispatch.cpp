@@ -45,10 +45,14 @@ void join_frames(const std::array<const FourFrames*, nodes_at_once>& below,
   kernels().join_frames(below.data(), chords.data(), boxes.data(), frames);
 }
 
-std::size_t descend_frames(const SelfTree& tree, const FramedNodes& nodes, const TreeNode* list, std::size_t count,
-                           const std::array<TreeNode*, nodes_at_once>& met, std::size_t capacity,
-                           std::array<std::size_t, nodes_at_once>& met_count) {
-  return kernels().descend_frames(tree, nodes, list, count, met.data(), capacity, met_count.data());
+SplitCounts pairs_below_first(FramedLevel first, FramedLevel second, const NodePair* pairs, std::size_t count,
+                              Keep keep, NodePair* kept, NodePair* split) {
+  return kernels().pairs_below_first(first, second, pairs, count, keep, kept, split);
+}
+
+SplitCounts pairs_below_second(FramedLevel first, FramedLevel second, const NodePair* pairs, std::size_t count,
+                               Keep keep, NodePair* kept, NodePair* split) {
+  return kernels().pairs_below_second(first, second, pairs, count, keep, kept, split);
 }
 
 std::size_t keep_near(const Strip& strip, StripPyramid pyramid, TreeNode* list, std::size_t count) {

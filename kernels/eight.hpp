@@ -86,7 +86,7 @@ LOBER_INLINE Eight max(Eight a, Eight b) {
   return _mm512_maskz_max_pd(0xff, a, b);
 }
 LOBER_INLINE Eight absolute(Eight a) {
-  return max(a, -a);
+  return _mm512_abs_pd(a);
 }
 LOBER_INLINE EightMask at_most(Eight a, Eight b) {
   return _mm512_cmp_pd_mask(a, b, _CMP_LE_OQ);

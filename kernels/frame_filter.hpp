@@ -22,11 +22,10 @@ struct alignas(32) FourFrames {
 };
 static_assert(nodes_at_once == 4);
 
-/// Frames of the nodes of a binary tree, of every second level from the leaves on: those of level l are frames[begin[l
-/// / 2]] onwards.
-struct FramePyramid {
+/// The frames of all nodes of a level, four by four, and how many they are.
+struct FramedLevel {
   const FourFrames* frames;
-  const std::uint32_t* begin;
+  std::uint32_t nodes;
 };
 
 /// The frames of four leaves, along their chords, from their leaf_size + 1 points and their boxes.
@@ -46,10 +45,8 @@ void join_frames(const std::array<const FourFrames*, nodes_at_once>& below,
 /// A tree that is searched for what its curve has in common with itself.
 struct SelfTree {
   BoxPyramid boxes;
-  FramePyramid frames;
   const std::uint8_t* flags;  ///< MonotoneFlags, laid out like the boxes
   bool closed;
-  bool stalls;  ///< whether nodes that are points have to be left out
   [[nodiscard]] LOBER_INLINE std::uint32_t leaves() const { return boxes.size[0]; }
   [[nodiscard]] LOBER_INLINE std::uint8_t flags_of(TreeNode node) const {
     return flags[boxes.begin[node.level] + node.index];
@@ -74,22 +71,25 @@ struct SelfTree {
   return first.index == 0 ? ~std::uint32_t{0} : ((last.index + 1) << last.level) + 1;
 }
 
-/// Up to four nodes of an even level side by side, of which the first has a number divisible by four.
-struct FramedNodes {
-  const FourFrames* frames;
-  TreeNode first;
-  std::uint32_t present;
-  std::uint32_t far;  ///< candidates that begin there are never left out for where they are
+/// Two nodes of two trees, or of one, by their numbers in their levels.
+struct NodePair {
+  std::uint32_t first, second;
 };
 
-/// For each of the nodes, the nodes of even levels of the tree that its frame may meet, out of the `count` ones of
-/// `list` and those below them: leaves, or such as are no larger than the node (in length and width together) if that
-/// is none. Those of node i go to met[i], and met_count[i] says how many. A candidate is left out only if a line along
-/// one of the two frames, or one across that of the node, certainly separates them, or for nothing_between. Frames that
-/// are not finite meet all. Returns the number of frames tested, or 0 if there was not memory for more than `capacity`
-/// nodes, at least `count` + 1, in each of met[0 .. 3].
-std::size_t descend_frames(const SelfTree& tree, const FramedNodes& nodes, const TreeNode* list, std::size_t count,
-                           const std::array<TreeNode*, nodes_at_once>& met, std::size_t capacity,
-                           std::array<std::size_t, nodes_at_once>& met_count);
+/// Which pairs are to be kept as they are; the others are to be split.
+enum class Keep {
+  all,
+  none,
+  level,  ///< those of which the second is no larger, in length and width together
+};
+
+/// The pairs of the four nodes below each first one with the second one, and the other way round, of which the frames
+/// may meet. A pair is left out only if a line along one of the two frames, or one across the first, certainly
+/// separates them: frames that are not finite meet all. `first` and `second` are the levels of the pairs that come out.
+/// Room for 4 `count` + 4 is needed in `kept` and in `split`.
+SplitCounts pairs_below_first(FramedLevel first, FramedLevel second, const NodePair* pairs, std::size_t count,
+                              Keep keep, NodePair* kept, NodePair* split);
+SplitCounts pairs_below_second(FramedLevel first, FramedLevel second, const NodePair* pairs, std::size_t count,
+                               Keep keep, NodePair* kept, NodePair* split);
 
 }  // namespace lober::detail

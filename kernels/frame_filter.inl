@@ -113,104 +113,74 @@ inline void put_joined_frames(const FourFrames* const* below, const Chord* chord
              max(max(high[0], high[1]), max(high[2], high[3])), frames);
 }
 
-// Distances of the middles beside each frame, and along the first, against the reach of both.
-inline LaneMask certainly_apart(const FrameLanes& a, const FrameLanes& b) {
+// Distances of the middles beside each frame, and along the first, against the reach of both: bit k is set where pair k
+// is not certainly apart.
+inline unsigned may_meet(const FrameLanes& a, const FrameLanes& b) {
   const Lanes dx = b.x - a.x, dy = b.y - a.y;
   const Lanes parallel = absolute(a.along_x * b.along_x + a.along_y * b.along_y);
   const Lanes across = absolute(a.along_x * b.along_y - a.along_y * b.along_x);
   const Lanes beside_a = absolute(a.along_x * dy - a.along_y * dx),
               beside_b = absolute(b.along_x * dy - b.along_y * dx);
   const Lanes along_a = absolute(a.along_x * dx + a.along_y * dy);
-  return (beside_a > a.width + (b.width * parallel + b.length * across)) |
-         (beside_b > b.width + (a.width * parallel + a.length * across)) |
-         (along_a > a.length + (b.length * parallel + b.width * across));
+  const Lanes reach_a = a.width + (b.width * parallel + b.length * across),
+              reach_b = b.width + (a.width * parallel + a.length * across),
+              reach_along = a.length + (b.length * parallel + b.width * across);
+  return 15U & ~(mask_bits(beside_a > reach_a) | mask_bits(beside_b > reach_b) | mask_bits(along_a > reach_along));
 }
 
-inline const FourFrames& frames_at(FramePyramid pyramid, std::uint32_t level, std::uint32_t index) {
-  return pyramid.frames[pyramid.begin[level / 2] + index / lanes];
+inline NodeLanes four_times(NodePair pair) {
+  return NodeLanes{pair.first, pair.second, pair.first, pair.second, pair.first, pair.second, pair.first, pair.second};
 }
 
-// Those of four nodes of the tree that have nothing to do with a node, out of the ones in `bits`.
-inline unsigned left_out(const SelfTree& tree, TreeNode node, TreeNode first, unsigned bits) {
-  const auto stays = [&](TreeNode at) {
-    return tree.stalls && is_point(tree.boxes.boxes[tree.boxes.begin[at.level] + at.index]);
-  };
-  if (stays(node)) return bits;
-  unsigned out = 0;
-  for (std::uint32_t i = 0; i < lanes; ++i) {
-    if ((bits >> i & 1U) == 0) continue;
-    const TreeNode candidate{first.level, first.index + i};
-    out |= static_cast<unsigned>(nothing_between(tree, node, candidate) || stays(candidate)) << i;
-  }
-  return out;
-}
-
-// The way down from candidates to those that are no larger than one of the nodes. They are the last
-// `splits` of the `capacity` nodes of `out`; the others are put behind the first `kept`. Returns the number of frames
-// tested, or 0 if there was not memory.
-inline std::size_t descend_to_node(const SelfTree& tree, const FramedNodes& nodes, std::uint32_t which, double largest,
-                                   TreeNode* out, std::size_t capacity, std::size_t splits, std::size_t& kept) {
-  FrameLanes a, b;
-  splat_frame(*nodes.frames, which, a);
-  const TreeNode node{nodes.first.level, nodes.first.index + which};
-  TreeNode waiting[4 * 16];  // three of each second level, and those of the last
-  std::size_t tested = 0;
-  for (std::size_t k = 0; k < splits; ++k) {
-    std::size_t count = 0;
-    waiting[count++] = out[capacity - splits + k];
-    while (count > 0) {
-      if (kept + lanes + (splits - k) > capacity) return 0;
-      const TreeNode above = waiting[--count], first{above.level - 2, above.index * 4};
-      const std::uint32_t left = tree.boxes.size[first.level] - first.index;
-      load_frames(frames_at(tree.frames, first.level, first.index), b);
-      unsigned meets = (left < lanes ? (1U << left) - 1 : 15U) & ~mask_bits(certainly_apart(a, b));
-      if (first.index << first.level < nodes.far) meets &= ~left_out(tree, node, first, meets);
-      const unsigned small = first.level == 0 ? 15U : mask_bits(b.length + b.width <= splat(largest));
-      const NodeLanes four = nodes_from(first);
-      kept += put_nodes(four, meets & small, out + kept);
-      count += put_nodes(four, meets & ~small, waiting + count);
-      tested += lanes;
-    }
-  }
-  return tested;
-}
-
-inline std::size_t descend_by_frames(const SelfTree& tree, const FramedNodes& nodes, const TreeNode* list,
-                                     std::size_t count, TreeNode* const* met, std::size_t capacity,
-                                     std::size_t* met_count) {
-  FrameLanes a, b;
-  load_frames(*nodes.frames, a);
-  const Lanes largest = nodes.first.level == 0 ? splat(-1) : a.length + a.width;
-  const unsigned present = (1U << nodes.present) - 1;
-  std::size_t kept[lanes] = {}, splits[lanes] = {};
+// The list of one node is short and of a length of its own, so that a loop for each would be left where nobody expects
+// it: these go over those of all nodes of a level.
+template <bool splits_first, Keep keep>
+SplitCounts split_pairs(FramedLevel first, FramedLevel second, const NodePair* pairs, std::size_t count, NodePair* kept,
+                        NodePair* split) {
+  constexpr NodeLanes step = splits_first ? NodeLanes{0, 0, 1, 0, 2, 0, 3, 0} : NodeLanes{0, 0, 0, 1, 0, 2, 0, 3};
+  const std::uint32_t nodes = splits_first ? first.nodes : second.nodes, last_four = (nodes - 1) / 4 * 4;
+  const unsigned present = 15U >> (last_four + 4 - nodes);
+  SplitCounts end{0, 0};
   for (std::size_t k = 0; k < count; ++k) {
-    const TreeNode candidate = list[k];
-    splat_frame(frames_at(tree.frames, candidate.level, candidate.index), candidate.index % lanes, b);
-    unsigned meets = present & ~mask_bits(certainly_apart(a, b));
-    if (candidate.index << candidate.level < nodes.far) {
-      for (std::uint32_t i = 0; i < nodes.present; ++i) {
-        const TreeNode node{nodes.first.level, nodes.first.index + i};
-        meets &= ~(left_out(tree, node, candidate, meets >> i & 1U) << i);
-      }
+    NodePair pair = pairs[k];
+    FrameLanes a, b;
+    if constexpr (splits_first) {
+      load_frames(first.frames[pair.first], a);
+      splat_frame(second.frames[pair.second / lanes], pair.second % lanes, b);
+      pair.first *= 4;
+    } else {
+      splat_frame(first.frames[pair.first / lanes], pair.first % lanes, a);
+      load_frames(second.frames[pair.second], b);
+      pair.second *= 4;
     }
-    const unsigned small = candidate.level == 0 ? 15U : mask_bits(b.length + b.width <= largest);
-    const unsigned keep = meets & small, split = meets & ~small;
-    for (std::size_t i = 0; i < lanes; ++i) {
-      met[i][kept[i]] = met[i][capacity - 1 - splits[i]] = candidate;
-      kept[i] += keep >> i & 1U;
-      splits[i] += split >> i & 1U;
+    unsigned meets = may_meet(a, b);
+    if ((splits_first ? pair.first : pair.second) == last_four) meets &= present;
+    const NodeLanes four = four_times(pair) + step;
+    if constexpr (keep == Keep::all) {
+      end.kept += put_nodes(four, meets, kept + end.kept);
+    } else if constexpr (keep == Keep::none) {
+      end.split += put_nodes(four, meets, split + end.split);
+    } else {
+      const unsigned small = meets & mask_bits(b.length + b.width <= a.length + a.width);
+      end.kept += put_nodes(four, small, kept + end.kept);
+      end.split += put_nodes(four, meets ^ small, split + end.split);
     }
   }
-  std::size_t tested = nodes.present * count;
-  for (std::uint32_t i = 0; i < lanes; ++i) {
-    if (splits[i] > 0) {
-      const std::size_t below = descend_to_node(tree, nodes, i, largest[i], met[i], capacity, splits[i], kept[i]);
-      if (below == 0) return 0;
-      tested += below;
-    }
-    met_count[i] = kept[i];
+  return end;
+}
+
+template <bool splits_first>
+inline SplitCounts split_pairs(FramedLevel first, FramedLevel second, const NodePair* pairs, std::size_t count,
+                               Keep keep, NodePair* kept, NodePair* split) {
+  switch (keep) {
+    case Keep::all:
+      return split_pairs<splits_first, Keep::all>(first, second, pairs, count, kept, split);
+    case Keep::none:
+      return split_pairs<splits_first, Keep::none>(first, second, pairs, count, kept, split);
+    case Keep::level:
+      break;
   }
-  return tested;
+  return split_pairs<splits_first, Keep::level>(first, second, pairs, count, kept, split);
 }
 
 }  // namespace

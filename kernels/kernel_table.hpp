@@ -46,8 +46,10 @@ struct KernelTable {
                      ChartedLeaf& charted);
   void (*frames_of_leaves)(const Point* const* points, const Box* const* boxes, FourFrames& frames);
   void (*join_frames)(const FourFrames* const* below, const Chord* chords, const Box* const* boxes, FourFrames& frames);
-  std::size_t (*descend_frames)(const SelfTree& tree, const FramedNodes& nodes, const TreeNode* list, std::size_t count,
-                                TreeNode* const* met, std::size_t capacity, std::size_t* met_count);
+  SplitCounts (*pairs_below_first)(FramedLevel first, FramedLevel second, const NodePair* pairs, std::size_t count,
+                                   Keep keep, NodePair* kept, NodePair* split);
+  SplitCounts (*pairs_below_second)(FramedLevel first, FramedLevel second, const NodePair* pairs, std::size_t count,
+                                    Keep keep, NodePair* kept, NodePair* split);
   void (*subdivide)(const CubicPiece& piece, std::uint32_t parts, std::uint32_t first, std::uint32_t last, Point* out);
   void (*summarise_leaves)(const Point* points, std::size_t first, std::size_t count, Box* boxes, DD* sums,
                            std::uint8_t* flags);

@@ -15,7 +15,8 @@ inline NodeLanes nodes_from(TreeNode first) {
 }
 // Writes those of four nodes whose bits are set to `to`, one behind the other, and returns how many they are. All four
 // places are written to.
-inline std::size_t put_nodes(NodeLanes four, unsigned bits, TreeNode* to) {
+template <typename Node>
+inline std::size_t put_nodes(NodeLanes four, unsigned bits, Node* to) {
 #ifdef __AVX2__
   alignas(32) static constexpr std::uint32_t places[16][8] = {
       {0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 2, 3, 4, 5, 6, 7}, {2, 3, 0, 1, 4, 5, 6, 7}, {0, 1, 2, 3, 4, 5, 6, 7},

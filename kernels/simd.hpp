@@ -49,7 +49,9 @@ LOBER_INLINE Lanes max(Lanes a, Lanes b) {
 #endif
 
 LOBER_INLINE Lanes absolute(Lanes a) {
-  return max(a, -a);
+  constexpr std::int64_t all_but_sign = 0x7fffffffffffffff;
+  const LaneMask bits = reinterpret_cast<LaneMask>(a) & all_but_sign;
+  return reinterpret_cast<Lanes>(bits);
 }
 
 LOBER_INLINE Lanes square_root(Lanes a) {

@@ -7,6 +7,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/curve/countable.hpp"
+#include "engine/geometry/index/node_frames.hpp"
 
 namespace lober::detail {
 namespace {
@@ -61,16 +62,29 @@ BoxTree::BoxTree(CurveView curve) : curve_(curve) {
 
 BoxTree::~BoxTree() {
   delete kept_sums_.load(std::memory_order_relaxed);
+  delete frames_.load(std::memory_order_relaxed);
+}
+
+namespace {
+// Puts what was made where nobody has put any yet, and gives what is there.
+template <typename T>
+const T* keep_first(std::atomic<const T*>& place, std::unique_ptr<const T> made) {
+  const T* present = nullptr;  // another thread may have been as fast
+  if (!place.compare_exchange_strong(present, made.get(), std::memory_order_acq_rel)) return present;
+  return made.release();
+}
+}  // namespace
+
+const NodeFrames& BoxTree::make_frames() const {
+  if (const NodeFrames* const made = frames()) return *made;
+  return *keep_first(frames_, std::make_unique<const NodeFrames>(*this));
 }
 
 const KeptSums* BoxTree::kept_sums() const {
   if (segments() > KeptSums::max_segments) return nullptr;
   if (const KeptSums* const kept = kept_sums_.load(std::memory_order_acquire)) return kept;
   if (uses_.fetch_add(1, std::memory_order_relaxed) < uses_before_keeping) return nullptr;
-  auto made = std::make_unique<const KeptSums>(*this);
-  const KeptSums* present = nullptr;  // another thread may have been as fast
-  if (!kept_sums_.compare_exchange_strong(present, made.get(), std::memory_order_acq_rel)) return present;
-  return made.release();
+  return keep_first(kept_sums_, std::make_unique<const KeptSums>(*this));
 }
 
 // The shoelace sum of a chunk is that of its leaves plus that of the polygon of leaf beginnings, for which the kernel
@@ -137,7 +151,7 @@ bool BoxTree::sums_finite() const {
 std::size_t BoxTree::memory() const {
   return boxes_.capacity() * sizeof(Box) + flags_.capacity() +
          (sums_.capacity() + chunk_sums_.capacity()) * sizeof(DD) + starts_.capacity() * sizeof(Point) +
-         (segments() <= KeptSums::max_segments ? KeptSums::memory(segments()) : 0);
+         (segments() <= KeptSums::max_segments ? KeptSums::memory(segments()) : NodeFrames::memory(*this));
 }
 
 }  // namespace lober::detail

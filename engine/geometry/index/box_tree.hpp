@@ -12,11 +12,14 @@
 
 #include "engine/geometry/index/kept_sums.hpp"
 #include "kernels/box_pyramid.hpp"
+#include "kernels/frame_filter.hpp"
 #include "kernels/leaf.hpp"
 #include "lober/base/buffer.hpp"
 #include "lober/curve/curve.hpp"
 
 namespace lober::detail {
+
+class NodeFrames;
 
 class BoxTree {
  public:
@@ -35,14 +38,14 @@ class BoxTree {
   [[nodiscard]] TreeNode root() const { return {levels_ - 1, 0}; }
   [[nodiscard]] const Box& box(TreeNode node) const { return boxes_[level_begin_[node.level] + node.index]; }
   [[nodiscard]] BoxPyramid pyramid() const { return {boxes_.data(), level_begin_.data(), level_size_.data()}; }
+  /// The tree, for searches of what its curve has in common with itself.
+  [[nodiscard]] SelfTree as_self() const { return {pyramid(), flags_.data(), curve_.closed}; }
   [[nodiscard]] const Box& box() const { return box(root()); }
   /// Whether the curve stays in one point for so long that whole leaves do. Searches leave these out: each would meet
   /// each, and there is nothing to find.
   [[nodiscard]] bool stalls() const { return stalls_; }
   /// MonotoneFlags of the whole node.
   [[nodiscard]] std::uint8_t flags(TreeNode node) const { return flags_[level_begin_[node.level] + node.index]; }
-  /// Those of all nodes, laid out like the boxes of the pyramid.
-  [[nodiscard]] const std::uint8_t* all_flags() const { return flags_.data(); }
   [[nodiscard]] const Box* leaf_boxes() const { return boxes_.data(); }
   /// Shoelace sums of the leaves, see summarise_leaves.
   /// A whole number of chunks of them: behind the last leaf they are zero.
@@ -69,7 +72,10 @@ class BoxTree {
   /// The sums of a short curve that has been used several times; null until then, and of a long one always. Any thread
   /// may call it.
   [[nodiscard]] const KeptSums* kept_sums() const;
-  /// Bytes held besides the curve, kept sums included, be they there yet or not.
+  /// The frames of its nodes; null until somebody has asked for them by make_frames. Any thread may call both.
+  [[nodiscard]] const NodeFrames* frames() const { return frames_.load(std::memory_order_acquire); }
+  const NodeFrames& make_frames() const;
+  /// Bytes held besides the curve, kept sums and, of long curves, frames included, be they there yet or not.
   [[nodiscard]] std::size_t memory() const;
 
  private:
@@ -89,6 +95,7 @@ class BoxTree {
   Buffer<Point> starts_;
   std::array<Point, leaf_size + 1> tail_{};
   mutable std::atomic<const KeptSums*> kept_sums_{nullptr};
+  mutable std::atomic<const NodeFrames*> frames_{nullptr};
   mutable std::atomic<std::uint32_t> uses_{0};
 };
 

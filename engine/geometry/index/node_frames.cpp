@@ -23,6 +23,19 @@ void make_frames_of_leaves(const BoxTree& tree, std::size_t first, FourFrames& f
   frames_of_leaves(points, boxes, frames);
 }
 
+// The number of those of four leaves whose frames are much smaller than their boxes.
+std::size_t small_frames(const BoxTree& tree, std::size_t first) {
+  constexpr double much = 0.5;
+  FourFrames four;
+  make_frames_of_leaves(tree, first, four);
+  std::size_t small = 0;
+  for_four(first, tree.leaves(), [&](std::size_t k, std::size_t leaf) {
+    const Box& box = tree.leaf_boxes()[leaf];
+    small += 4 * four.length[k] * four.width[k] < much * box.width() * box.height() ? 1 : 0;
+  });
+  return small;
+}
+
 void make_frames_above(const BoxTree& tree, std::uint32_t level, std::size_t first, const FourFrames* below,
                        FourFrames& frames) {
   std::array<const FourFrames*, nodes_at_once> parts;
@@ -37,10 +50,20 @@ void make_frames_above(const BoxTree& tree, std::uint32_t level, std::size_t fir
   join_frames(parts, chords, boxes, frames);
 }
 
+std::size_t fours_of(const BoxTree& tree, std::uint32_t level) {
+  return (tree.nodes(level) + nodes_at_once - 1) / nodes_at_once;
+}
+
 }  // namespace
 
-NodeFrames::NodeFrames(const BoxTree& tree) {
-  const auto fours = [&](std::uint32_t level) { return (tree.nodes(level) + nodes_at_once - 1) / nodes_at_once; };
+std::size_t NodeFrames::memory(const BoxTree& tree) {
+  std::size_t total = 0;
+  for (std::uint32_t level = 0; level < tree.levels(); level += levels_at_once) total += fours_of(tree, level);
+  return total * sizeof(FourFrames);
+}
+
+NodeFrames::NodeFrames(const BoxTree& tree) : tree_(tree) {
+  const auto fours = [&](std::uint32_t level) { return fours_of(tree, level); };
   std::size_t total = 0;
   for (std::uint32_t level = 0; level < tree.levels(); level += levels_at_once) {
     begin_[level / levels_at_once] = static_cast<std::uint32_t>(total);
@@ -57,6 +80,17 @@ NodeFrames::NodeFrames(const BoxTree& tree) {
       for (std::size_t k = begin; k < end; ++k) make_frames_above(tree, level, nodes_at_once * k, below, here[k]);
     });
   }
+}
+
+bool frames_are_small(const BoxTree& tree) {
+  constexpr std::uint64_t samples = 16, golden = 0x9e3779b9;  // equal steps would meet each fold in the same place
+  const std::size_t fours = fours_of(tree, 0);
+  std::size_t small = 0;
+  for (std::uint64_t k = 0; k < samples; ++k) {
+    const std::uint64_t part = k * golden & 0xffffffffU;
+    small += small_frames(tree, nodes_at_once * (part * fours >> 32U));
+  }
+  return 2 * small > samples * nodes_at_once;
 }
 
 }  // namespace lober::detail

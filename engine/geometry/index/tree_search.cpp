@@ -1,6 +1,6 @@
-// Pairs of segments from two box trees walked against each other (tree_walk.hpp), in tasks, and with what a few leaves
-// show to be worth it: slanted rectangles (node_frames.hpp) or strips along parabolas (node_strips.hpp) where folds run
-// side by side, windows (window_search.hpp) where one curve is folded upon itself many times.
+// Pairs of segments from two box trees walked against each other (tree_walk.hpp), in tasks, or what a few leaves show
+// to be better where folds run side by side: a walk by slanted rectangles (frame_walk.hpp), strips along parabolas for
+// two curves (node_strips.hpp), windows for one that is folded upon itself many times (window_search.hpp).
 
 #include <algorithm>
 #include <array>
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/geometry/index/frame_walk.hpp"
 #include "engine/geometry/index/index.hpp"
 #include "engine/geometry/index/node_frames.hpp"
 #include "engine/geometry/index/node_strips.hpp"
@@ -25,10 +26,10 @@ static_assert(block_segments == leaf_size << block_level);
 constexpr std::uint32_t task_level = block_level + 2;  // a task is four blocks: what lies above is walked by one thread
 static_assert(block_level % 2 == 0, "the walk passes through even levels");
 
-// The number of boxes a leaf from which on frames and windows pay for one curve, strips for two: pairs of boxes between
-// folds of one curve never cross, those of two curves may well. Making strips takes as long as testing a number of
-// boxes for each leaf.
-constexpr double worth_frames = 16, worth_windows = 250, worth_strips = 200, boxes_a_strip = 16;
+// The number of boxes a leaf from which on windows pay for one curve, strips for two: pairs of boxes between folds of
+// one curve never cross, those of two curves may well. Making frames or strips takes as long as what they save of a
+// number of boxes for each leaf.
+constexpr double worth_windows = 250, worth_strips = 200, boxes_a_frame = 9, boxes_a_strip = 16;
 // Strips of two curves stay if with them no more than this part of the boxes is tested: where bundles of folds lie
 // across each other they tell nothing apart.
 constexpr double part_with_strips = 0.4;
@@ -65,7 +66,7 @@ struct Forecast {
 // Ends when it is certain to exceed `enough` boxes a leaf.
 Forecast forecast(const TreeWalk& search, std::size_t tasks, const auto& meeting_of, double enough,
                   SearchCounts& counts) {
-  const std::size_t samples = std::min<std::size_t>(4, tasks / 4);
+  const std::size_t samples = std::min<std::size_t>(8, tasks / 4);
   SearchCounts sampled;
   std::size_t leaves = 0;
   const double ample = enough * static_cast<double>(samples << block_level);
@@ -80,6 +81,14 @@ Forecast forecast(const TreeWalk& search, std::size_t tasks, const auto& meeting
   counts.boxes_tested += sampled.boxes_tested;
   const double a_leaf = static_cast<double>(sampled.boxes_tested) / static_cast<double>(leaves);
   return {a_leaf, a_leaf * static_cast<double>(tasks << task_level)};
+}
+
+// Whether the walk is to go by frames, with that number of boxes ahead.
+bool worth_frames(const BoxTree& first, const BoxTree& second, double boxes) {
+  const auto to_make = [](const BoxTree& tree) { return tree.frames() == nullptr ? tree.leaves() : 0; };
+  const std::size_t frames = to_make(first) + (&first == &second ? 0 : to_make(second));
+  if (!(boxes > boxes_a_frame * static_cast<double>(frames))) return false;
+  return frames == 0 || (frames_are_small(first) && frames_are_small(second));
 }
 
 // The node `index` of the level of tasks with what it meets: the way down to it from the root.
@@ -125,6 +134,54 @@ SearchCounts search_leaves(const TreeWalk& search, const NearLeaves& near, const
   return counts;
 }
 
+// The same list with nodes of even levels, the ones that have frames: others are replaced by those below them.
+std::vector<TreeNode> on_even_levels(const BoxTree& tree, std::span<const TreeNode> list) {
+  std::vector<TreeNode> even;
+  even.reserve(2 * list.size());
+  for (const TreeNode node : list) {
+    if (node.level % levels_at_once == 0) {
+      even.push_back(node);
+      continue;
+    }
+    const TreeNode first{node.level - 1, 2 * node.index};
+    even.push_back(first);
+    if (first.index + 1 < tree.nodes(first.level)) even.push_back({first.level, first.index + 1});
+  }
+  return even;
+}
+
+// From what the root meets, by frames instead of boxes.
+SearchCounts search_by_frames(const TreeWalk& search, const BoxTree& tree, const BoxTree& second,
+                              std::span<const TreeNode> list, PairConsumer& consumer, SearchCounts counts) {
+  const FrameWalk walk(tree.make_frames(), second.make_frames());
+  const std::uint32_t root_level = tree.root().level;
+  MeetingLists tasks;
+  walk.go_down({root_level + root_level % 2, 0}, task_level, on_even_levels(second, list), tasks, counts);
+  std::vector<SearchCounts> task_counts(tasks.size());
+  for_each_block(tasks.size(), 1, [&](std::size_t number, std::size_t) {
+    const auto task = static_cast<std::uint32_t>(number);
+    if (tasks[task].empty()) return;
+    MeetingLists leaves;
+    TreeWalk::Scratch scratch(0);
+    walk.go_down({task_level, task}, 0, tasks[task], leaves, scratch.counts);
+    constexpr std::uint32_t in_block = 1U << block_level;
+    for (std::uint32_t first = 0; first < leaves.size(); first += in_block) {
+      const std::uint32_t begin = (task << task_level) + first, block = begin >> block_level;
+      if (begin >= tree.leaves()) break;
+      scratch.skip_before = 0;
+      for (std::uint32_t k = 0; k < in_block && consumer.wants(block); ++k) {
+        search.walk({0, begin + k}, leaves[first + k], block, consumer, scratch);
+      }
+      consumer.finish(block);
+      ++scratch.counts.blocks_searched;
+    }
+    task_counts[task] = scratch.counts;
+  });
+  for (const SearchCounts& task : task_counts) counts += task;
+  counts.blocks_skipped = tree.nodes(block_level) - counts.blocks_searched;
+  return counts;
+}
+
 // The walk of a first tree that is one block: the curves are small, and then lists of tasks take longer than the rest.
 SearchCounts search_block(const TreeWalk& search, TreeNode root, SearchCounts counts, const std::vector<TreeNode>& list,
                           PairConsumer& consumer) {
@@ -161,7 +218,9 @@ SearchCounts search_trees(const BoxTree& first, const BoxTree& second, bool self
   if (first.root().level <= block_level) return search_block(search, first.root(), counts, list, consumer);
   Meeting start{first.root(), std::move(list)};
   Forecast ahead;
-  std::optional<NodeFrames> frames;
+  std::vector<Meeting> tasks;
+  const auto task_at = [&](std::size_t k) { return tasks[k]; };
+  constexpr double no_bound = std::numeric_limits<double>::infinity();
   if (self) {
     // Where many boxes meet, the way down to the tasks is long.
     const auto task = [&](std::size_t index) { return task_below(search, start, index, counts); };
@@ -170,16 +229,10 @@ SearchCounts search_trees(const BoxTree& first, const BoxTree& second, bool self
       const NearLeaves near(first, counts);
       if (near.is_complete()) return search_leaves(search, near, first, consumer, counts);
     }
-    if (ahead.boxes_a_leaf > worth_frames) {
-      search.use(frames.emplace(first));
-      start.list = search.on_even_levels(start.list);
-    }
+  } else {
+    collect(search, start, task_level, tasks, counts);
+    ahead = forecast(search, tasks.size(), task_at, no_bound, counts);
   }
-  std::vector<Meeting> tasks;
-  collect(search, start, task_level, tasks, counts);
-  const auto task_at = [&](std::size_t k) { return tasks[k]; };
-  constexpr double no_bound = std::numeric_limits<double>::infinity();
-  if (!self) ahead = forecast(search, tasks.size(), task_at, no_bound, counts);
   std::optional<NodeStrips> strips1, strips2;
   if (!self && ahead.boxes_a_leaf > worth_strips &&
       ahead.boxes > boxes_a_strip * static_cast<double>(first.leaves() + second.leaves())) {
@@ -187,6 +240,10 @@ SearchCounts search_trees(const BoxTree& first, const BoxTree& second, bool self
     const Forecast with_strips = forecast(search, tasks.size(), task_at, no_bound, counts);
     if (with_strips.boxes_a_leaf > part_with_strips * ahead.boxes_a_leaf) search.use_boxes_only();
   }
+  if (!search.uses_strips() && worth_frames(first, second, ahead.boxes)) {
+    return search_by_frames(search, first, second, start.list, consumer, counts);
+  }
+  if (self) collect(search, start, task_level, tasks, counts);
   std::vector<SearchCounts> task_counts(tasks.size());
   for_each_block(tasks.size(), 1, [&](std::size_t task, std::size_t) {
     std::vector<Meeting> blocks;

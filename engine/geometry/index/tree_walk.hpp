@@ -17,7 +17,6 @@
 #include "engine/geometry/index/box_tree.hpp"
 #include "engine/geometry/index/index.hpp"
 #include "engine/geometry/index/leaf_turns.hpp"
-#include "engine/geometry/index/node_frames.hpp"
 #include "engine/geometry/index/node_strips.hpp"
 #include "kernels/bent_slab.hpp"
 #include "kernels/box_pyramid.hpp"
@@ -39,7 +38,7 @@ class TreeWalk {
         second_(second),
         self_(self),
         stalls_(first.stalls() || second.stalls()),
-        tree_{first.pyramid(), {}, first.all_flags(), first.curve().closed, stalls_} {}
+        tree_(first.as_self()) {}
 
   /// Where the walk starts: the root of the first tree with what it meets.
   [[nodiscard]] std::vector<TreeNode> start(SearchCounts& counts) const {
@@ -59,13 +58,6 @@ class TreeWalk {
   void go_down(TreeNode node, std::span<const TreeNode> list, Carried& carried, SearchCounts& counts) const {
     const TreeNode below = first_below(node);
     const std::size_t present = nodes_below(node);
-    if (frames_ != nullptr) {
-      const TreeNode last{below.level, below.index + static_cast<std::uint32_t>(present) - 1};
-      const std::uint32_t far = stalls_ ? no_leaf : far_behind(below, last);
-      go_down_by_frames({&frames_->four(below), below, static_cast<std::uint32_t>(present), far}, list, carried,
-                        counts);
-      return;
-    }
     std::array<TreeNode*, nodes_at_once> met{};
     for (std::size_t i = 0; i < nodes_at_once; ++i) {
       ensure_size(carried.met[i], list.size() + 1);
@@ -152,38 +144,17 @@ class TreeWalk {
     }
   }
 
-  /// Uses the frames from now on, for a curve with itself. They must outlive the search. Lists may then hold nodes of
-  /// even levels only.
-  void use(const NodeFrames& frames) {
-    frames_ = &frames;
-    tree_.frames = frames.pyramid();
-  }
-  /// The same list with nodes of even levels: others are replaced by those below them.
-  [[nodiscard]] std::vector<TreeNode> on_even_levels(std::span<const TreeNode> list) const {
-    std::vector<TreeNode> even;
-    even.reserve(2 * list.size());
-    for (const TreeNode node : list) {
-      if (node.level % levels_at_once == 0) {
-        even.push_back(node);
-        continue;
-      }
-      const TreeNode first{node.level - 1, 2 * node.index};
-      even.push_back(first);
-      if (first.index + 1 < second_.nodes(first.level)) even.push_back({first.level, first.index + 1});
-    }
-    return even;
-  }
   /// Uses the strips of two curves.
   void use(const NodeStrips& first, const NodeStrips& second) {
     strips1_ = &first;
     strips2_ = &second;
   }
+  [[nodiscard]] bool uses_strips() const { return strips1_ != nullptr; }
   /// Neither of them.
   void use_boxes_only() { strips1_ = strips2_ = nullptr; }
 
  private:
   static constexpr std::size_t few_leaves = 32;
-  static constexpr std::uint32_t no_leaf = std::numeric_limits<std::uint32_t>::max();  // behind all of them
 
   void drop_beside(TreeNode node, Buffer<TreeNode>& list, std::size_t& count, SearchCounts& counts) const {
     if (strips1_ == nullptr) return;
@@ -240,21 +211,6 @@ class TreeWalk {
       drop_beside(node, waiting, waiting_count, counts);
     }
     count = kept;
-  }
-
-  // The same by frames, for a curve with itself; the list is not empty.
-  void go_down_by_frames(FramedNodes nodes, std::span<const TreeNode> list, Carried& carried,
-                         SearchCounts& counts) const {
-    std::size_t tested = 0, capacity = 2 * list.size() + 32;
-    for (; tested == 0; capacity *= 2) {
-      std::array<TreeNode*, nodes_at_once> met{};
-      for (std::size_t i = 0; i < nodes_at_once; ++i) {
-        ensure_size(carried.met[i], capacity);
-        met[i] = carried.met[i].data();
-      }
-      tested = descend_frames(tree_, nodes, list.data(), list.size(), met, capacity, carried.count);
-    }
-    counts.boxes_tested += tested;
   }
 
   void leaf_pairs(TreeNode leaf, std::span<const TreeNode> others, Buffer<SegmentPair>& pairs,
@@ -321,7 +277,6 @@ class TreeWalk {
   bool self_;
   bool stalls_;
   SelfTree tree_;
-  const NodeFrames* frames_ = nullptr;
   const NodeStrips* strips1_ = nullptr;
   const NodeStrips* strips2_ = nullptr;
 };

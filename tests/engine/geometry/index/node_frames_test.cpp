@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/geometry/index/frame_walk.hpp"
 #include "kernels/cpu.hpp"
 #include "tests/engine/geometry/index/scenes.hpp"
 #include "tests/engine/geometry/index/search_testing.hpp"
@@ -24,28 +25,22 @@ struct Framed {
   NodeFrames frames;
 };
 
-using Lists = std::array<std::vector<TreeNode>, nodes_at_once>;
+using Lists = std::vector<std::vector<TreeNode>>;
 
-// The nodes found for `node` and those beside it, of `list` and what lies below it. `far` as in FramedNodes.
-Lists descended(const Framed& first, TreeNode node, const Framed& second, const std::vector<TreeNode>& list,
-                std::uint32_t far = 0, std::size_t capacity = 0) {
-  const std::uint32_t begin = node.index / 4 * 4, left = first.tree.nodes(node.level) - begin;
-  const FramedNodes nodes{&first.frames.four(node), {node.level, begin}, std::min(left, 4U), far};
-  const BoxTree& tree = second.tree;
-  const SelfTree self{tree.pyramid(), second.frames.pyramid(), tree.all_flags(), tree.curve().closed, tree.stalls()};
-  Lists met;
-  std::array<TreeNode*, nodes_at_once> to{};
-  std::array<std::size_t, nodes_at_once> count{};
-  std::size_t tested = 0;
-  for (capacity = std::max(capacity, list.size() + 1); tested == 0; ++capacity) {
-    for (std::size_t k = 0; k < nodes_at_once; ++k) {
-      met[k].resize(capacity);
-      to[k] = met[k].data();
-    }
-    tested = descend_frames(self, nodes, list.data(), list.size(), to, capacity, count);
-  }
-  for (std::size_t k = 0; k < nodes_at_once; ++k) met[k].resize(count[k]);
-  return met;
+// The nodes found for the nodes of `level` below `top`, of `list` and what lies below it. A curve with itself, if both
+// are the same.
+Lists descended(const Framed& first, TreeNode top, std::uint32_t level, const Framed& second,
+                const std::vector<TreeNode>& list) {
+  MeetingLists met;
+  SearchCounts counts;
+  FrameWalk(first.frames, second.frames).go_down(top, level, list, met, counts);
+  Lists lists;
+  for (std::uint32_t k = 0; k < met.size(); ++k) lists.emplace_back(met[k].begin(), met[k].end());
+  return lists;
+}
+// Those found for `node` and those beside it.
+Lists descended(const Framed& first, TreeNode node, const Framed& second, const std::vector<TreeNode>& list) {
+  return descended(first, {node.level + levels_at_once, node.index / 4}, node.level, second, list);
 }
 
 // Whether something of `other` is found for `node`; if a leaf is given, that leaf or what it lies in.
@@ -107,10 +102,10 @@ TEST(NodeFrames, TellPiecesOfALineApart) {
   Curve line;
   line.closed = false;
   for (int k = 0; k <= 1280; ++k) line.points.push_back({0.8 * k, 0.6 * k});
-  const Framed framed{CurveView(line)};
+  const Framed framed{CurveView(line)}, twin{CurveView(line)};  // of one curve all pieces are one monotone run
   for (const std::uint32_t level : {0U, 2U}) {
     for (std::uint32_t k = 0; k < framed.tree.nodes(level); ++k) {
-      EXPECT_TRUE(kept(framed, {level, 0}, framed, {level, k}) == (k <= 1)) << level << ' ' << k;
+      EXPECT_TRUE(kept(framed, {level, 0}, twin, {level, k}) == (k <= 1)) << level << ' ' << k;
     }
   }
 }
@@ -127,8 +122,9 @@ TEST(NodeFrames, AllCopiesMakeTheSame) {
     limit_instruction_set(before);
     for (std::uint32_t level = 0; level < framed.tree.levels(); level += levels_at_once) {
       for (std::uint32_t k = 0; k < framed.tree.nodes(level); ++k) {
-        ASSERT_EQ(std::memcmp(&framed.frames.four({level, k}), &other.frames.four({level, k}), sizeof(FourFrames)), 0)
-            << kind.name << ' ' << level << ' ' << k;
+        const FourFrames &here = framed.frames.level(level).frames[k / 4],
+                         &there = other.frames.level(level).frames[k / 4];
+        ASSERT_EQ(std::memcmp(&here, &there, sizeof here), 0) << kind.name << ' ' << level << ' ' << k;
       }
     }
   }
@@ -143,15 +139,48 @@ TEST(NodeFrames, BothCopiesKeepTheSame) {
   for (std::uint32_t level = 0; level < framed.tree.levels(); level += levels_at_once) {
     for (std::uint32_t k = 0; k < framed.tree.nodes(level); ++k) all.push_back({level, k});
   }
+  const Framed twin{CurveView(made.first)};  // for the tree it is another curve
   for (const TreeNode node : all) {
-    for (const std::uint32_t far : {0U, ~0U}) {
-      const Lists here = descended(framed, node, framed, all, far);
+    for (const Framed* second : {&framed, &twin}) {
+      const Lists here = descended(framed, node, *second, all);
       const InstructionSet before = instruction_set();
       limit_instruction_set(InstructionSet::baseline);
-      const Lists there = descended(framed, node, framed, all, far);
+      const Lists there = descended(framed, node, *second, all);
       limit_instruction_set(before);
       ASSERT_EQ(here, there);
-      ASSERT_EQ(here, descended(framed, node, framed, all, far, 10000)) << "more memory changes nothing";
+    }
+  }
+}
+
+// Two levels or all of them at a time.
+TEST(FrameWalk, WaysDownLeadToTheSame) {
+  Random random(seed());
+  for (const SceneKind& kind : scene_kinds()) {
+    const Scene made = kind.make(random, std::min<std::size_t>(kind.largest, 5000));
+    const Framed framed{CurveView(made.first)}, other{CurveView(made.second)};
+    for (const Framed* second : {&framed, &other}) {
+      const std::uint32_t root = framed.tree.root().level, second_root = second->tree.root().level;
+      const TreeNode top{root + root % 2, 0};
+      Lists lists{{second->tree.root()}};
+      if (second_root % 2 != 0) lists[0] = {{second_root - 1, 0}, {second_root - 1, 1}};
+      const std::vector<TreeNode> start = lists[0];
+      for (std::uint32_t level = top.level; level > 0; level -= levels_at_once) {
+        Lists below;
+        for (std::uint32_t k = 0; k < lists.size(); ++k) {
+          for (auto& list : descended(framed, {level, k}, level - levels_at_once, *second, lists[k])) {
+            below.push_back(std::move(list));
+          }
+        }
+        lists = std::move(below);
+      }
+      Lists at_once = descended(framed, top, 0, *second, start);
+      ASSERT_EQ(at_once.size(), lists.size());
+      for (std::size_t k = 0; k < lists.size(); ++k) {
+        for (Lists* sorted : {&at_once, &lists}) {
+          std::sort((*sorted)[k].begin(), (*sorted)[k].end(), [](TreeNode a, TreeNode b) { return a.index < b.index; });
+        }
+        ASSERT_EQ(at_once[k], lists[k]) << kind.name << ' ' << k;
+      }
     }
   }
 }
@@ -167,24 +196,23 @@ TEST(NodeFrames, FindEachPairOfNodesOnce) {
   curve.points.push_back({-1, 0});
   const Framed framed{CurveView(curve)};
   for (std::uint32_t leaf = 0; leaf < framed.tree.leaves(); ++leaf) {
-    const auto met =
-        descended(framed, {0, leaf}, framed,
-                  {framed.tree.root().level % 2 == 0 ? framed.tree.root() : TreeNode{framed.tree.root().level - 1, 0}},
-                  ~0U)[leaf % nodes_at_once];
+    const auto met = descended(
+        framed, {0, leaf}, framed,
+        {framed.tree.root().level % 2 == 0 ? framed.tree.root()
+                                           : TreeNode{framed.tree.root().level - 1, 0}})[leaf % nodes_at_once];
     for (const TreeNode other : met) {
-      EXPECT_FALSE(
-          nothing_between({framed.tree.pyramid(), {}, framed.tree.all_flags(), false, false}, {0, leaf}, other));
+      EXPECT_FALSE(nothing_between({framed.tree.pyramid(), framed.tree.as_self().flags, false}, {0, leaf}, other));
       EXPECT_GE(other.index, leaf);
     }
   }
 }
 
 // Hairs side by side, enough of them for the search to use frames; one is bent into its neighbours.
-TEST(FoldedCurve, IsSearchedCompletely) {
-  constexpr int hairs = 256, along = 80;
+Curve hairs() {
+  constexpr int count = 256, along = 80;
   Curve curve;
   curve.closed = true;
-  for (int k = 0; k < hairs; ++k) {
+  for (int k = 0; k < count; ++k) {
     for (const bool back : {false, true}) {
       for (int j = 0; j <= along; ++j) {
         const double t = (back ? along - j : j) / static_cast<double>(along), height = (2 * k + (back ? 1 : 0)) / 512.0;
@@ -195,6 +223,11 @@ TEST(FoldedCurve, IsSearchedCompletely) {
   }
   curve.points.push_back({0, -1});
   curve.points.push_back({-3, 0});
+  return curve;
+}
+
+TEST(FoldedCurve, IsSearchedCompletely) {
+  const Curve curve = hairs();
   const IndexedCurve indexed(curve);
   Recorder by_tree(curve, curve), by_grid(curve, curve);
   const SearchCounts counts = find_self_pairs(indexed, by_tree);
@@ -209,6 +242,45 @@ TEST(FoldedCurve, IsSearchedCompletely) {
   EXPECT_GT(wanted.size(), 20U);
   const auto lost = missing(wanted, by_tree.sorted());
   EXPECT_TRUE(lost.empty()) << listed(lost);
+}
+
+TEST(FoldedCurve, IsSearchedCompletelyForAnotherOne) {
+  const Curve curve = hairs();
+  Curve across = curve;  // bundles across bundles
+  for (Point& p : across.points) p = {0.3 + 0.9 * p.y - 0.2 * p.x, 0.4 + 0.8 * p.x};
+  const IndexedCurve first(curve), second(across);
+  Recorder by_tree(curve, across), by_grid(curve, across);
+  (void)find_pairs(first, second, IndexKind::tree, by_tree);
+  ASSERT_TRUE(first.tree().frames() != nullptr && second.tree().frames() != nullptr) << "frames should have served";
+  (void)find_pairs(first, second, IndexKind::grid, by_grid);
+  std::vector<SegmentPair> wanted;
+  for (const SegmentPair& pair : by_grid.sorted()) {
+    if (have_common_point(ends_of(curve, pair.first), ends_of(across, pair.second))) wanted.push_back(pair);
+  }
+  EXPECT_GT(wanted.size(), 10000U);
+  const auto lost = missing(wanted, by_tree.sorted());
+  EXPECT_TRUE(lost.empty()) << listed(lost);
+}
+
+// Where both stay in one point, each leaf there would meet each.
+TEST(FoldedCurve, MayStallWithAnotherOne) {
+  Curve one = hairs(), other = one;
+  for (Point& p : other.points) p = {p.y, p.x};
+  const auto search = [&] {
+    const IndexedCurve first(one), second(other);
+    first.tree().make_frames();
+    second.tree().make_frames();
+    Recorder recorder(one, other);
+    return find_pairs(first, second, IndexKind::tree, recorder).boxes_tested;
+  };
+  const std::uint64_t moving = search();
+  const std::size_t in_common = 5000;
+  other.points[in_common] = one.points[in_common];
+  for (Curve* curve : {&one, &other}) {
+    const Point stay = curve->points[in_common];
+    curve->points.insert(curve->points.begin() + in_common, 100'000, stay);
+  }
+  EXPECT_LT(search(), 2 * moving);
 }
 
 }  // namespace

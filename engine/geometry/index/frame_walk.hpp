@@ -1,0 +1,65 @@
+// The walk of one tree against another, or against itself, by frames (private to index/): from a node to all of those
+// some levels below it at once, with what each of them meets.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/geometry/index/index.hpp"
+#include "engine/geometry/index/node_frames.hpp"
+#include "lober/base/buffer.hpp"
+
+namespace lober::detail {
+
+/// Lists of nodes, one behind the other: what each of the nodes of a level below one meets.
+class MeetingLists {
+ public:
+  [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(end_.size()); }
+  [[nodiscard]] std::span<const TreeNode> operator[](std::uint32_t k) const {
+    const std::uint32_t begin = k == 0 ? 0 : end_[k - 1];
+    return {met_.data() + begin, end_[k] - begin};
+  }
+
+ private:
+  friend class FrameWalk;
+  Buffer<TreeNode> met_;
+  std::vector<std::uint32_t> end_;
+};
+
+class FrameWalk {
+ public:
+  /// Both have to outlive the walk. A tree with itself has each pair of nodes once, and none between which there is
+  /// nothing (nothing_between).
+  FrameWalk(const NodeFrames& first, const NodeFrames& second)
+      : first_(first),
+        second_(second),
+        is_self_(&first == &second),
+        stalls_(first.tree().stalls() || second.tree().stalls()),
+        tree_(second.tree().as_self()) {}
+
+  /// Fills the lists of the nodes of `level` below `top`, which may lie above the root: the nodes of the second tree,
+  /// out of those in `list` and below these, which they may meet as far as frames tell: leaves, or such as are no
+  /// larger than the node (in length and width together) if that is none. All levels are even. Adds the number of
+  /// frames tested.
+  void go_down(TreeNode top, std::uint32_t level, std::span<const TreeNode> list, MeetingLists& lists,
+               SearchCounts& counts) const;
+
+ private:
+  struct Pairs;
+  struct PairsByLevel;
+
+  void step_down(std::uint32_t level, const PairsByLevel& from, PairsByLevel& to, SearchCounts& counts) const;
+  void drop_apart(Pairs& near, std::size_t from, Pairs& far, std::uint32_t level, std::uint32_t second_level) const;
+  [[nodiscard]] bool is_far(TreeNode first, TreeNode second) const;
+  [[nodiscard]] bool is_left_out(TreeNode first, TreeNode second) const;
+
+  const NodeFrames& first_;
+  const NodeFrames& second_;
+  bool is_self_;
+  bool stalls_;
+  SelfTree tree_;
+};
+
+}  // namespace lober::detail
