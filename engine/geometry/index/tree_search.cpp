@@ -58,29 +58,27 @@ void collect(const TreeWalk& search, const Meeting& from, std::uint32_t level, s
   }
 }
 
-// The work ahead of the walk, judged by a few leaves, a small part of it.
-struct Forecast {
-  double boxes_a_leaf = 0, boxes = 0;
-};
-// From the tasks, or, before there are any, from the start of the walk, of which only some ways are followed.
-// Ends when it is certain to exceed `enough` boxes a leaf.
-Forecast forecast(const TreeWalk& search, std::size_t tasks, const auto& meeting_of, double enough,
-                  SearchCounts& counts) {
-  const std::size_t samples = std::min<std::size_t>(8, tasks / 4);
+// How many boxes will be tested for a leaf, judged by a few, a small part of the walk: from the tasks, or, before there
+// are any, from the start of the walk, of which only some ways are followed. Ends when it is certain to exceed
+// `enough`.
+double boxes_a_leaf(const TreeWalk& search, std::size_t tasks, const auto& meeting_of, double enough,
+                    SearchCounts& counts) {
+  if (tasks == 0) return 0;
+  // Where tasks are few, a part of one block is enough.
+  const std::uint32_t level = tasks < 4 ? block_level - 2 : block_level;
+  const std::size_t samples = std::clamp<std::size_t>(tasks / 4, 1, 8);
   SearchCounts sampled;
   std::size_t leaves = 0;
-  const double ample = enough * static_cast<double>(samples << block_level);
+  const double ample = enough * static_cast<double>(samples << level);
   for (std::size_t k = 0; k < samples && static_cast<double>(sampled.boxes_tested) <= ample; ++k) {
-    std::vector<Meeting> blocks, met;
-    collect(search, meeting_of((2 * k + 1) * tasks / (2 * samples)), block_level, blocks, sampled);
-    if (blocks.empty()) continue;
-    collect(search, blocks[blocks.size() / 2], 0, met, sampled);
-    leaves += std::size_t{1} << block_level;
+    std::vector<Meeting> parts, met;
+    collect(search, meeting_of((2 * k + 1) * tasks / (2 * samples)), level, parts, counts);
+    if (parts.empty()) continue;
+    collect(search, parts[parts.size() / 2], 0, met, sampled);
+    leaves += std::size_t{1} << level;
   }
-  if (leaves == 0) return {};
   counts.boxes_tested += sampled.boxes_tested;
-  const double a_leaf = static_cast<double>(sampled.boxes_tested) / static_cast<double>(leaves);
-  return {a_leaf, a_leaf * static_cast<double>(tasks << task_level)};
+  return leaves == 0 ? 0 : static_cast<double>(sampled.boxes_tested) / static_cast<double>(leaves);
 }
 
 // Whether the walk is to go by frames, with that number of boxes ahead.
@@ -217,30 +215,33 @@ SearchCounts search_trees(const BoxTree& first, const BoxTree& second, bool self
   std::vector<TreeNode> list = search.start(counts);
   if (first.root().level <= block_level) return search_block(search, first.root(), counts, list, consumer);
   Meeting start{first.root(), std::move(list)};
-  Forecast ahead;
   std::vector<Meeting> tasks;
   const auto task_at = [&](std::size_t k) { return tasks[k]; };
+  const bool is_small = start.node.level < task_level;  // too small for any other way to pay
   constexpr double no_bound = std::numeric_limits<double>::infinity();
+  double a_leaf = 0;
+  std::size_t leaves = first.leaves();
   if (self) {
     // Where many boxes meet, the way down to the tasks is long.
     const auto task = [&](std::size_t index) { return task_below(search, start, index, counts); };
-    ahead = forecast(search, first.nodes(std::min(task_level, first.levels() - 1)), task, worth_windows, counts);
-    if (ahead.boxes_a_leaf > worth_windows) {
+    a_leaf = boxes_a_leaf(search, is_small ? 0 : first.nodes(task_level), task, worth_windows, counts);
+    if (a_leaf > worth_windows) {
       const NearLeaves near(first, counts);
       if (near.is_complete()) return search_leaves(search, near, first, consumer, counts);
     }
   } else {
     collect(search, start, task_level, tasks, counts);
-    ahead = forecast(search, tasks.size(), task_at, no_bound, counts);
+    a_leaf = boxes_a_leaf(search, is_small ? 0 : tasks.size(), task_at, no_bound, counts);
+    leaves = std::min(leaves, tasks.size() << task_level);
   }
+  const double boxes = a_leaf * static_cast<double>(leaves);
   std::optional<NodeStrips> strips1, strips2;
-  if (!self && ahead.boxes_a_leaf > worth_strips &&
-      ahead.boxes > boxes_a_strip * static_cast<double>(first.leaves() + second.leaves())) {
+  if (!self && a_leaf > worth_strips && boxes > boxes_a_strip * static_cast<double>(first.leaves() + second.leaves())) {
     search.use(strips1.emplace(first), strips2.emplace(second));
-    const Forecast with_strips = forecast(search, tasks.size(), task_at, no_bound, counts);
-    if (with_strips.boxes_a_leaf > part_with_strips * ahead.boxes_a_leaf) search.use_boxes_only();
+    const double with_strips = boxes_a_leaf(search, tasks.size(), task_at, no_bound, counts);
+    if (with_strips > part_with_strips * a_leaf) search.use_boxes_only();
   }
-  if (!search.uses_strips() && worth_frames(first, second, ahead.boxes)) {
+  if (!search.uses_strips() && worth_frames(first, second, boxes)) {
     return search_by_frames(search, first, second, start.list, consumer, counts);
   }
   if (self) collect(search, start, task_level, tasks, counts);

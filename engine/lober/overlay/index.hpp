@@ -27,8 +27,8 @@ class BoxTree;  // private: engine/geometry/index/box_tree.hpp
 }  // namespace detail
 
 /// A curve with its box tree: what every search starts from. Build it once for a curve that occurs in many pairs.
-/// Cheap to copy; keeps alive what the curve owns. O(N), parallel; about 2 bytes a point, 2 more for a curve whose folds
-/// have been searched, and 32 more for one of up to 2048 segments that has been used several times.
+/// Cheap to copy; keeps alive what the curve owns. O(N), parallel; about 2 bytes a point, 2 more for a curve whose
+/// folds have been searched, and 32 more for one of up to 2048 segments that has been used several times.
 class IndexedCurve {
  public:
   /// Indexes a closed curve and keeps alive what it owns.
