@@ -66,17 +66,19 @@ FixedPoint find_fixed_point(const PlanarMap& map, Point guess, const FixedPointO
   return describe(map, {&end.at, 1}, options)[0];
 }
 
-void detail::require_scan(const Rectangle& box, const FixedPointOptions& options) {
-  require(options);
+FixedPointOptions detail::options_of_scan(const Rectangle& box, const FixedPointOptions& given) {
+  require(given);
   if (!(box.width() > 0 && box.height() > 0)) throw UsageError("the box of a scan for fixed points is empty");
+  FixedPointOptions options = given;
+  options.extent = std::min(given.extent, extent_of(box));
+  return options;
 }
 
-std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Rectangle& box,
-                                          const FixedPointOptions& options) {
-  require_scan(box, options);
+std::vector<FixedPoint> find_fixed_points(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& given) {
+  const FixedPointOptions options = options_of_scan(box, given);
   const HalfWayMap half_way = half_way_map(map);
   std::vector<FixedPoint> result = scan(map, box, options, ScanGrids(map, half_way, box, options), half_way);
-  add_points(result, scan_for_smaller_periods(map, box, options, half_way), std::min(options.extent, extent_of(box)));
+  add_points(result, scan_for_smaller_periods(map, box, options, half_way), options.extent);
   if (result.empty()) {
     const auto [point, least] = DisplacementGrid(map, box, options).nearest();
     throw DataError(

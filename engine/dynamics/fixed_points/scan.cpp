@@ -131,16 +131,14 @@ std::vector<FixedPoint> detail::scan_for_smaller_periods(const PlanarMap& map, c
   for (const FixedPointOptions& smaller : of_divisors(options)) {
     if (smaller.period == options.period || (allowance && !allowance->has(0))) break;
     const ScanGrids grids(map, half_way, box, smaller);
-    add_points(points, scan(map, box, smaller, grids, half_way, allowance), std::min(options.extent, extent_of(box)));
+    add_points(points, scan(map, box, smaller, grids, half_way, allowance), options.extent);
   }
   return points;
 }
 
-std::vector<FixedPoint> detail::scan(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& wanted,
+std::vector<FixedPoint> detail::scan(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& options,
                                      const ScanGrids& grids, const HalfWayMap& half_way,
                                      const SearchAllowance* allowance) {
-  FixedPointOptions options = wanted;
-  options.extent = std::min(wanted.extent, extent_of(box));
   // Degenerate points that are enough to see that they are not isolated.
   constexpr std::size_t max_degenerate = 2000;
   // Points outside the box are not wanted: iterations may leave it for a while, but not for the singularities around

@@ -14,8 +14,9 @@
 
 namespace lober::detail {
 
-/// Throws UsageError for options or a box that make no sense.
-void require_scan(const Rectangle& box, const FixedPointOptions& options);
+/// The options of scans of a box: the extent is that of the box at most. Throws UsageError for options or a box that
+/// make no sense.
+[[nodiscard]] FixedPointOptions options_of_scan(const Rectangle& box, const FixedPointOptions& given);
 
 /// The work that a search may still take: what the map has counted since, or the time.
 class SearchAllowance {

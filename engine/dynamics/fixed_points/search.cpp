@@ -79,9 +79,9 @@ double residue(const FixedPoint& point) {
   return 0.25 * (2 - (point.derivative.xx + point.derivative.yy));
 }
 
-FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& options,
+FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box, const FixedPointOptions& given,
                                      int max_grid, const Progress& progress) {
-  require_scan(box, options);
+  const FixedPointOptions options = options_of_scan(box, given);
   if (max_grid < options.grid) throw UsageError("the last grid of a search must not be coarser than the first one");
   FixedPointSearch search;
   const HalfWayMap half_way = half_way_map(map);
@@ -110,7 +110,7 @@ FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
     if (grids.whole() == nullptr) maps = 1;
     std::vector<FixedPoint> found = scan(map, box, each, grids, half_way, &allowance);
     if (first) of_smaller_periods = scan_for_smaller_periods(map, box, each, half_way, &allowance);
-    add_points(found, of_smaller_periods, std::min(each.extent, extent_of(box)));
+    add_points(found, of_smaller_periods, each.extent);
     if (!allowance.has(0)) {  // the seeds may not be through: of two scans the one that found more
       search.out_of_work = true;
       if (!first && found.size() < search.points.size()) return search;
@@ -118,9 +118,7 @@ FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
     const bool same = !first && same_points(found, search.points, extent_of(box));
     search.points = std::move(found);
     search.grid = each.grid;
-    FixedPointOptions near = each;
-    near.extent = std::min(each.extent, extent_of(box));
-    if (fill_a_curve(map, search.points, near, grids.cell())) {
+    if (fill_a_curve(map, search.points, each, grids.cell())) {
       search.isolated = false;
       thin_out(search.points, options.period);
       return search;
@@ -128,11 +126,11 @@ FixedPointSearch search_fixed_points(const PlanarMap& map, const Rectangle& box,
     const PlanarMap* const turned = grids.with_all_images();
     const Point middle{0.5 * (box.min_x + box.max_x), 0.5 * (box.min_y + box.max_y)};
     const int sign = turned == &half_way ? half_way.orientation(options.period, middle) : 1;
-    const std::optional<int> sum = sum_of_indices(turned != nullptr ? *turned : map, sign, search.points, box, near);
+    const std::optional<int> sum = sum_of_indices(turned != nullptr ? *turned : map, sign, search.points, box, each);
     search.index_sum = sum.value_or(0);
     const bool defined = sum && turned != nullptr;
     if (defined && !edge) {
-      edge = index_of_edge(*turned, box, near, an_image, allowance);
+      edge = index_of_edge(*turned, box, each, an_image, allowance);
       if (*edge) **edge *= sign;
     }
     search.index_of_box = defined ? *edge : std::nullopt;
