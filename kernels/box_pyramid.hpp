@@ -43,6 +43,32 @@ struct SplitCounts {
   std::size_t split = 0;
 };
 
+/// Two nodes of two trees, or of one, by their numbers in their levels.
+struct NodePair {
+  std::uint32_t first, second;
+  friend bool operator==(const NodePair&, const NodePair&) = default;
+};
+
+/// Which pairs are to be kept as they are; the others are to be split.
+enum class Keep {
+  all,
+  none,
+  level,  ///< those of which the second is no larger
+};
+
+/// The boxes of all nodes of a level, and how many they are. Three boxes behind the last must be readable.
+struct BoxLevel {
+  const Box* boxes;
+  std::uint32_t nodes;
+};
+/// The pairs of the four nodes below each first one with the second one, and the other way round, of which the boxes
+/// meet. `first` and `second` are the levels of the pairs that come out. Sizes are extents. Room for 4 `count` + 4 is
+/// needed in `kept` and in `split`.
+SplitCounts pairs_below_first(BoxLevel first, BoxLevel second, const NodePair* pairs, std::size_t count, Keep keep,
+                              NodePair* kept, NodePair* split);
+SplitCounts pairs_below_second(BoxLevel first, BoxLevel second, const NodePair* pairs, std::size_t count, Keep keep,
+                               NodePair* kept, NodePair* split);
+
 /// The nodes of `list` that are leaves or no larger than `largest` (by extent) go to `kept`; of the others, those up to
 /// four nodes below them that meet `box` go to `split`. Room for `count` + 1 and 4 `count` + 1 is needed.
 SplitCounts refine(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,

@@ -45,18 +45,28 @@ void join_frames(const std::array<const FourFrames*, nodes_at_once>& below,
   kernels().join_frames(below.data(), chords.data(), boxes.data(), frames);
 }
 
+SplitCounts pairs_below_first(BoxLevel first, BoxLevel second, const NodePair* pairs, std::size_t count, Keep keep,
+                              NodePair* kept, NodePair* split) {
+  return kernels().boxes_below_first(first, second, pairs, count, keep, kept, split);
+}
+
+SplitCounts pairs_below_second(BoxLevel first, BoxLevel second, const NodePair* pairs, std::size_t count, Keep keep,
+                               NodePair* kept, NodePair* split) {
+  return kernels().boxes_below_second(first, second, pairs, count, keep, kept, split);
+}
+
 SplitCounts pairs_below_first(FramedLevel first, FramedLevel second, const NodePair* pairs, std::size_t count,
                               Keep keep, NodePair* kept, NodePair* split) {
-  return kernels().pairs_below_first(first, second, pairs, count, keep, kept, split);
+  return kernels().framed_below_first(first, second, pairs, count, keep, kept, split);
 }
 
 SplitCounts pairs_below_second(FramedLevel first, FramedLevel second, const NodePair* pairs, std::size_t count,
                                Keep keep, NodePair* kept, NodePair* split) {
-  return kernels().pairs_below_second(first, second, pairs, count, keep, kept, split);
+  return kernels().framed_below_second(first, second, pairs, count, keep, kept, split);
 }
 
-std::size_t keep_near(const Strip& strip, StripPyramid pyramid, TreeNode* list, std::size_t count) {
-  return kernels().keep_near_strip(strip, pyramid, list, count);
+std::size_t keep_near(const Strip* first, const Strip* second, NodePair* pairs, std::size_t count) {
+  return kernels().keep_near_strip(first, second, pairs, count);
 }
 
 void leaf_strip(const Point* points, Strip& strip) {

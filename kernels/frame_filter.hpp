@@ -71,18 +71,6 @@ struct SelfTree {
   return first.index == 0 ? ~std::uint32_t{0} : ((last.index + 1) << last.level) + 1;
 }
 
-/// Two nodes of two trees, or of one, by their numbers in their levels.
-struct NodePair {
-  std::uint32_t first, second;
-};
-
-/// Which pairs are to be kept as they are; the others are to be split.
-enum class Keep {
-  all,
-  none,
-  level,  ///< those of which the second is no larger, in length and width together
-};
-
 /// The pairs of the four nodes below each first one with the second one, and the other way round, of which the frames
 /// may meet. A pair is left out only if a line along one of the two frames, or one across the first, certainly
 /// separates them: frames that are not finite meet all. `first` and `second` are the levels of the pairs that come out.

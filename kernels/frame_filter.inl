@@ -128,60 +128,21 @@ inline unsigned may_meet(const FrameLanes& a, const FrameLanes& b) {
   return 15U & ~(mask_bits(beside_a > reach_a) | mask_bits(beside_b > reach_b) | mask_bits(along_a > reach_along));
 }
 
-inline NodeLanes four_times(NodePair pair) {
-  return NodeLanes{pair.first, pair.second, pair.first, pair.second, pair.first, pair.second, pair.first, pair.second};
-}
-
-// The list of one node is short and of a length of its own, so that a loop for each would be left where nobody expects
-// it: these go over those of all nodes of a level.
-template <bool splits_first, Keep keep>
-SplitCounts split_pairs(FramedLevel first, FramedLevel second, const NodePair* pairs, std::size_t count, NodePair* kept,
-                        NodePair* split) {
-  constexpr NodeLanes step = splits_first ? NodeLanes{0, 0, 1, 0, 2, 0, 3, 0} : NodeLanes{0, 0, 0, 1, 0, 2, 0, 3};
-  const std::uint32_t nodes = splits_first ? first.nodes : second.nodes, last_four = (nodes - 1) / 4 * 4;
-  const unsigned present = 15U >> (last_four + 4 - nodes);
-  SplitCounts end{0, 0};
-  for (std::size_t k = 0; k < count; ++k) {
-    NodePair pair = pairs[k];
-    FrameLanes a, b;
-    if constexpr (splits_first) {
-      load_frames(first.frames[pair.first], a);
-      splat_frame(second.frames[pair.second / lanes], pair.second % lanes, b);
-      pair.first *= 4;
-    } else {
-      splat_frame(first.frames[pair.first / lanes], pair.first % lanes, a);
-      load_frames(second.frames[pair.second], b);
-      pair.second *= 4;
-    }
-    unsigned meets = may_meet(a, b);
-    if ((splits_first ? pair.first : pair.second) == last_four) meets &= present;
-    const NodeLanes four = four_times(pair) + step;
-    if constexpr (keep == Keep::all) {
-      end.kept += put_nodes(four, meets, kept + end.kept);
-    } else if constexpr (keep == Keep::none) {
-      end.split += put_nodes(four, meets, split + end.split);
-    } else {
-      const unsigned small = meets & mask_bits(b.length + b.width <= a.length + a.width);
-      end.kept += put_nodes(four, small, kept + end.kept);
-      end.split += put_nodes(four, meets ^ small, split + end.split);
-    }
+// Kernels of pairs (kernels/node_lanes.inl).
+struct FramePairs {
+  using Level = FramedLevel;
+  FrameLanes a, b;
+  LOBER_INLINE void first_by_four(Level first, Level second, NodePair pair) {
+    load_frames(first.frames[pair.first], a);
+    splat_frame(second.frames[pair.second / lanes], pair.second % lanes, b);
   }
-  return end;
-}
-
-template <bool splits_first>
-inline SplitCounts split_pairs(FramedLevel first, FramedLevel second, const NodePair* pairs, std::size_t count,
-                               Keep keep, NodePair* kept, NodePair* split) {
-  switch (keep) {
-    case Keep::all:
-      return split_pairs<splits_first, Keep::all>(first, second, pairs, count, kept, split);
-    case Keep::none:
-      return split_pairs<splits_first, Keep::none>(first, second, pairs, count, kept, split);
-    case Keep::level:
-      break;
+  LOBER_INLINE void second_by_four(Level first, Level second, NodePair pair) {
+    splat_frame(first.frames[pair.first / lanes], pair.first % lanes, a);
+    load_frames(second.frames[pair.second], b);
   }
-  return split_pairs<splits_first, Keep::level>(first, second, pairs, count, kept, split);
-}
+  LOBER_INLINE unsigned meet() const { return may_meet(a, b); }
+  LOBER_INLINE unsigned second_is_small() const { return mask_bits(b.length + b.width <= a.length + a.width); }
+};
 
 }  // namespace
 }  // namespace lober::detail

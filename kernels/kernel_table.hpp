@@ -46,10 +46,14 @@ struct KernelTable {
                      ChartedLeaf& charted);
   void (*frames_of_leaves)(const Point* const* points, const Box* const* boxes, FourFrames& frames);
   void (*join_frames)(const FourFrames* const* below, const Chord* chords, const Box* const* boxes, FourFrames& frames);
-  SplitCounts (*pairs_below_first)(FramedLevel first, FramedLevel second, const NodePair* pairs, std::size_t count,
-                                   Keep keep, NodePair* kept, NodePair* split);
-  SplitCounts (*pairs_below_second)(FramedLevel first, FramedLevel second, const NodePair* pairs, std::size_t count,
+  SplitCounts (*boxes_below_first)(BoxLevel first, BoxLevel second, const NodePair* pairs, std::size_t count, Keep keep,
+                                   NodePair* kept, NodePair* split);
+  SplitCounts (*boxes_below_second)(BoxLevel first, BoxLevel second, const NodePair* pairs, std::size_t count,
                                     Keep keep, NodePair* kept, NodePair* split);
+  SplitCounts (*framed_below_first)(FramedLevel first, FramedLevel second, const NodePair* pairs, std::size_t count,
+                                    Keep keep, NodePair* kept, NodePair* split);
+  SplitCounts (*framed_below_second)(FramedLevel first, FramedLevel second, const NodePair* pairs, std::size_t count,
+                                     Keep keep, NodePair* kept, NodePair* split);
   void (*subdivide)(const CubicPiece& piece, std::uint32_t parts, std::uint32_t first, std::uint32_t last, Point* out);
   void (*summarise_leaves)(const Point* points, std::size_t first, std::size_t count, Box* boxes, DD* sums,
                            std::uint8_t* flags);
@@ -70,7 +74,7 @@ struct KernelTable {
   void (*add_sines)(double* y, const double* x, double factor, std::size_t count);
   void (*leaf_strip)(const Point* points, Strip& strip);
   void (*join_strips)(const Strip* below, std::size_t count, Strip* above);
-  std::size_t (*keep_near_strip)(const Strip& strip, StripPyramid pyramid, TreeNode* list, std::size_t count);
+  std::size_t (*keep_near_strip)(const Strip* first, const Strip* second, NodePair* pairs, std::size_t count);
   void (*turns_along)(const Point* points, std::size_t segments, double* lengths, double* curvatures);
   void (*parts_needed)(const double* lengths, const double* curvatures, std::size_t count, PartsAsked asked,
                        double* parts);

@@ -39,5 +39,59 @@ inline std::size_t put_nodes(NodeLanes four, unsigned bits, Node* to) {
 #endif
 }
 
+inline NodeLanes four_times(NodePair pair) {
+  return NodeLanes{pair.first, pair.second, pair.first, pair.second, pair.first, pair.second, pair.first, pair.second};
+}
+
+// Pairs of nodes of two levels, replaced by those below the first ones or the second ones. The list of one node is
+// short and of a length of its own, so that a loop for each would be left where nobody expects it: these go over those
+// of all nodes of a level. `Pairs` says which may meet.
+template <typename Pairs, bool splits_first, Keep keep>
+SplitCounts split_pairs(typename Pairs::Level first, typename Pairs::Level second, const NodePair* pairs,
+                        std::size_t count, NodePair* kept, NodePair* split) {
+  constexpr NodeLanes step = splits_first ? NodeLanes{0, 0, 1, 0, 2, 0, 3, 0} : NodeLanes{0, 0, 0, 1, 0, 2, 0, 3};
+  const std::uint32_t nodes = splits_first ? first.nodes : second.nodes, last_four = (nodes - 1) / 4 * 4;
+  const unsigned present = 15U >> (last_four + 4 - nodes);
+  SplitCounts end{0, 0};
+  for (std::size_t k = 0; k < count; ++k) {
+    NodePair pair = pairs[k];
+    Pairs four_pairs;
+    if constexpr (splits_first) {
+      four_pairs.first_by_four(first, second, pair);
+    } else {
+      four_pairs.second_by_four(first, second, pair);
+    }
+    std::uint32_t& divided = splits_first ? pair.first : pair.second;
+    divided *= 4;
+    unsigned meets = four_pairs.meet();
+    if (divided == last_four) meets &= present;
+    const NodeLanes four = four_times(pair) + step;
+    if constexpr (keep == Keep::all) {
+      end.kept += put_nodes(four, meets, kept + end.kept);
+    } else if constexpr (keep == Keep::none) {
+      end.split += put_nodes(four, meets, split + end.split);
+    } else {
+      const unsigned small = meets & four_pairs.second_is_small();
+      end.kept += put_nodes(four, small, kept + end.kept);
+      end.split += put_nodes(four, meets ^ small, split + end.split);
+    }
+  }
+  return end;
+}
+
+template <typename Pairs, bool splits_first>
+inline SplitCounts split_pairs(typename Pairs::Level first, typename Pairs::Level second, const NodePair* pairs,
+                               std::size_t count, Keep keep, NodePair* kept, NodePair* split) {
+  switch (keep) {
+    case Keep::all:
+      return split_pairs<Pairs, splits_first, Keep::all>(first, second, pairs, count, kept, split);
+    case Keep::none:
+      return split_pairs<Pairs, splits_first, Keep::none>(first, second, pairs, count, kept, split);
+    case Keep::level:
+      break;
+  }
+  return split_pairs<Pairs, splits_first, Keep::level>(first, second, pairs, count, kept, split);
+}
+
 }  // namespace
 }  // namespace lober::detail

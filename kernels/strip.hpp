@@ -28,14 +28,8 @@ void leaf_strip(const Point* points, Strip& strip);
 /// side by side their mean, or straight where that is narrower.
 void join_strips(const Strip* below, std::size_t count, Strip* above);
 
-/// Strips of all nodes of a binary tree: those of level l are strips[begin[l]] onwards.
-struct StripPyramid {
-  const Strip* strips;
-  const std::uint32_t* begin;
-};
-
-/// Keeps those of the `count` nodes of `list` whose strips may meet `strip`, in order; returns how many. One goes only
-/// if it certainly lies beside the parabola of `strip` as far as that goes, or the other way round.
-std::size_t keep_near(const Strip& strip, StripPyramid pyramid, TreeNode* list, std::size_t count);
+/// Keeps those of the `count` pairs whose strips, by their numbers in `first` and `second`, may meet, in order; returns
+/// how many. One goes only if it is certain that a strip lies beside the parabola of the other one as far as that goes.
+std::size_t keep_near(const Strip* first, const Strip* second, NodePair* pairs, std::size_t count);
 
 }  // namespace lober::detail

@@ -41,33 +41,35 @@ inline LaneMask lies_beside(Lanes bend, Lanes length, Lanes width, const Relativ
   return (((above > aside) | (-below > aside)) & (steep <= four)) | (half < zero);
 }
 
-inline unsigned certainly_apart(const Strip& a, const Strip* const (&from)[lanes]) {
-  Strips b;
-  load_strips(from, b);
-  const Lanes ax = splat(a.along.x), ay = splat(a.along.y);
-  const Lanes dx = b.x - splat(a.middle.x), dy = b.y - splat(a.middle.y);
-  const Lanes cosine = ax * b.ax + ay * b.ay, sine = ax * b.ay - ay * b.ax, secant = splat(1) / cosine;
-  const Relative of_b{ax * dx + ay * dy, ax * dy - ay * dx, cosine, sine, secant, b.length, b.width, b.bend, b.reach};
-  const unsigned beside_a = mask_bits(lies_beside(splat(a.bend), splat(a.length), splat(a.width), of_b));
+inline unsigned certainly_apart(const Strips& a, const Strips& b) {
+  const Lanes dx = b.x - a.x, dy = b.y - a.y;
+  const Lanes cosine = a.ax * b.ax + a.ay * b.ay, sine = a.ax * b.ay - a.ay * b.ax, secant = splat(1) / cosine;
+  const Relative of_b{
+      a.ax * dx + a.ay * dy, a.ax * dy - a.ay * dx, cosine, sine, secant, b.length, b.width, b.bend, b.reach};
+  const unsigned beside_a = mask_bits(lies_beside(a.bend, a.length, a.width, of_b));
   if (beside_a == 15) return beside_a;
-  const Relative of_a{-(b.ax * dx + b.ay * dy), b.ay * dx - b.ax * dy, cosine,        -sine,         secant,
-                      splat(a.length),          splat(a.width),        splat(a.bend), splat(a.reach)};
+  const Relative of_a{
+      -(b.ax * dx + b.ay * dy), b.ay * dx - b.ax * dy, cosine, -sine, secant, a.length, a.width, a.bend, a.reach};
   return beside_a | mask_bits(lies_beside(b.bend, b.length, b.width, of_a));
 }
 
-inline std::size_t keep_strips(const Strip& strip, StripPyramid pyramid, TreeNode* list, std::size_t count) {
+inline std::size_t keep_strips(const Strip* first, const Strip* second, NodePair* pairs, std::size_t count) {
   std::size_t kept = 0;
   for (std::size_t begin = 0; begin < count; begin += lanes) {
     const std::size_t together = count - begin < lanes ? count - begin : lanes;
-    TreeNode nodes[lanes];
-    const Strip* four[lanes];
+    NodePair four[lanes];
+    const Strip *from_first[lanes], *from_second[lanes];
     for (std::size_t k = 0; k < lanes; ++k) {
-      nodes[k] = list[begin + (k < together ? k : 0)];
-      four[k] = &pyramid.strips[pyramid.begin[nodes[k].level] + nodes[k].index];
+      four[k] = pairs[begin + (k < together ? k : 0)];
+      from_first[k] = &first[four[k].first];
+      from_second[k] = &second[four[k].second];
     }
-    const unsigned apart = certainly_apart(strip, four);
+    Strips a, b;
+    load_strips(from_first, a);
+    load_strips(from_second, b);
+    const unsigned apart = certainly_apart(a, b);
     for (std::size_t k = 0; k < together; ++k) {
-      list[kept] = nodes[k];
+      pairs[kept] = four[k];
       kept += ~apart >> k & 1U;
     }
   }

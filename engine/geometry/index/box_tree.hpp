@@ -41,6 +41,11 @@ class BoxTree {
   /// The tree, for searches of what its curve has in common with itself.
   [[nodiscard]] SelfTree as_self() const { return {pyramid(), flags_.data(), curve_.closed}; }
   [[nodiscard]] const Box& box() const { return box(root()); }
+  /// The boxes of a level; none above the root.
+  [[nodiscard]] BoxLevel level(std::uint32_t level) const {
+    if (level >= levels_) return {};
+    return {&boxes_[level_begin_[level]], level_size_[level]};
+  }
   /// Whether the curve stays in one point for so long that whole leaves do. Searches leave these out: each would meet
   /// each, and there is nothing to find.
   [[nodiscard]] bool stalls() const { return stalls_; }

@@ -4,7 +4,7 @@
 
 namespace lober::detail {
 
-NodeStrips::NodeStrips(const BoxTree& tree) {
+NodeStrips::NodeStrips(const BoxTree& tree) : tree_(tree) {
   std::uint32_t total = 0;
   for (std::uint32_t level = 0; level < tree.levels(); ++level) {
     begin_[level] = total;

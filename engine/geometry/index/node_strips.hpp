@@ -11,13 +11,16 @@ namespace lober::detail {
 
 class NodeStrips {
  public:
-  /// O(N), parallel; 4 bytes a point.
+  /// The tree has to outlive them. O(N), parallel; 4 bytes a point.
   explicit NodeStrips(const BoxTree& tree);
 
-  [[nodiscard]] StripPyramid pyramid() const { return {strips_.data(), begin_.data()}; }
-  [[nodiscard]] const Strip& of(TreeNode node) const { return strips_[begin_[node.level] + node.index]; }
+  [[nodiscard]] const BoxTree& tree() const { return tree_; }
+  [[nodiscard]] BoxLevel level(std::uint32_t level) const { return tree_.level(level); }
+  /// Those of a level.
+  [[nodiscard]] const Strip* strips(std::uint32_t level) const { return &strips_[begin_[level]]; }
 
  private:
+  const BoxTree& tree_;
   std::array<std::uint32_t, 32> begin_{};
   Buffer<Strip> strips_;
 };

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/geometry/index/frame_walk.hpp"
+#include "engine/geometry/index/pair_walk.hpp"
 #include "kernels/cpu.hpp"
 #include "tests/engine/geometry/index/scenes.hpp"
 #include "tests/engine/geometry/index/search_testing.hpp"
@@ -33,7 +33,7 @@ Lists descended(const Framed& first, TreeNode top, std::uint32_t level, const Fr
                 const std::vector<TreeNode>& list) {
   MeetingLists met;
   SearchCounts counts;
-  FrameWalk(first.frames, second.frames).go_down(top, level, list, met, counts);
+  PairWalk(first.frames, second.frames).go_down(top, level, list, met, counts);
   Lists lists;
   for (std::uint32_t k = 0; k < met.size(); ++k) lists.emplace_back(met[k].begin(), met[k].end());
   return lists;
@@ -148,39 +148,6 @@ TEST(NodeFrames, BothCopiesKeepTheSame) {
       const Lists there = descended(framed, node, *second, all);
       limit_instruction_set(before);
       ASSERT_EQ(here, there);
-    }
-  }
-}
-
-// Two levels or all of them at a time.
-TEST(FrameWalk, WaysDownLeadToTheSame) {
-  Random random(seed());
-  for (const SceneKind& kind : scene_kinds()) {
-    const Scene made = kind.make(random, std::min<std::size_t>(kind.largest, 5000));
-    const Framed framed{CurveView(made.first)}, other{CurveView(made.second)};
-    for (const Framed* second : {&framed, &other}) {
-      const std::uint32_t root = framed.tree.root().level, second_root = second->tree.root().level;
-      const TreeNode top{root + root % 2, 0};
-      Lists lists{{second->tree.root()}};
-      if (second_root % 2 != 0) lists[0] = {{second_root - 1, 0}, {second_root - 1, 1}};
-      const std::vector<TreeNode> start = lists[0];
-      for (std::uint32_t level = top.level; level > 0; level -= levels_at_once) {
-        Lists below;
-        for (std::uint32_t k = 0; k < lists.size(); ++k) {
-          for (auto& list : descended(framed, {level, k}, level - levels_at_once, *second, lists[k])) {
-            below.push_back(std::move(list));
-          }
-        }
-        lists = std::move(below);
-      }
-      Lists at_once = descended(framed, top, 0, *second, start);
-      ASSERT_EQ(at_once.size(), lists.size());
-      for (std::size_t k = 0; k < lists.size(); ++k) {
-        for (Lists* sorted : {&at_once, &lists}) {
-          std::sort((*sorted)[k].begin(), (*sorted)[k].end(), [](TreeNode a, TreeNode b) { return a.index < b.index; });
-        }
-        ASSERT_EQ(at_once[k], lists[k]) << kind.name << ' ' << k;
-      }
     }
   }
 }

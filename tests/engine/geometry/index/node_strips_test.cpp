@@ -17,8 +17,8 @@ using namespace lober::detail;
 namespace {
 
 bool kept(const NodeStrips& first, TreeNode node, const NodeStrips& second, TreeNode other) {
-  std::array<TreeNode, 1> list{other};
-  return keep_near(first.of(node), second.pyramid(), list.data(), 1) == 1;
+  NodePair pair{node.index, other.index};
+  return keep_near(first.strips(node.level), second.strips(other.level), &pair, 1) == 1;
 }
 
 class Strips : public ::testing::TestWithParam<SceneKind> {};
@@ -125,13 +125,22 @@ TEST(NodeStrips, BothCopiesDoTheSame) {
     const NodeStrips baseline(tree);
     limit_instruction_set(before);
     for (const TreeNode node : all) {
-      ASSERT_EQ(std::memcmp(&strips.of(node), &baseline.of(node), sizeof(Strip)), 0) << node.level << ' ' << node.index;
-      std::vector<TreeNode> here = all, there = all;
-      here.resize(keep_near(strips.of(node), strips.pyramid(), here.data(), here.size()));
-      limit_instruction_set(InstructionSet::baseline);
-      there.resize(keep_near(strips.of(node), strips.pyramid(), there.data(), there.size()));
-      limit_instruction_set(before);
-      ASSERT_EQ(here, there);
+      const Strip &here = strips.strips(node.level)[node.index], &there = baseline.strips(node.level)[node.index];
+      ASSERT_EQ(std::memcmp(&here, &there, sizeof(Strip)), 0) << node.level << ' ' << node.index;
+    }
+    for (std::uint32_t first = 0; first < tree.levels(); ++first) {
+      for (std::uint32_t second = 0; second < tree.levels(); ++second) {
+        std::vector<NodePair> here;
+        for (std::uint32_t i = 0; i < tree.nodes(first); ++i) {
+          for (std::uint32_t j = 0; j < tree.nodes(second); ++j) here.push_back({i, j});
+        }
+        std::vector<NodePair> there = here;
+        here.resize(keep_near(strips.strips(first), strips.strips(second), here.data(), here.size()));
+        limit_instruction_set(InstructionSet::baseline);
+        there.resize(keep_near(strips.strips(first), strips.strips(second), there.data(), there.size()));
+        limit_instruction_set(before);
+        ASSERT_EQ(here, there);
+      }
     }
   }
 }

@@ -1,5 +1,5 @@
-// The walk of one tree against another, or against itself, by frames (private to index/): from a node to all of those
-// some levels below it at once, with what each of them meets.
+// The walk of one tree against another, or against itself, by boxes or by frames (private to index/): from a node to
+// all of those some levels below it at once, with what each of them meets.
 #pragma once
 
 #include <cstddef>
@@ -9,9 +9,13 @@
 
 #include "engine/geometry/index/index.hpp"
 #include "engine/geometry/index/node_frames.hpp"
+#include "engine/geometry/index/node_strips.hpp"
 #include "lober/base/buffer.hpp"
 
 namespace lober::detail {
+
+struct PairList;
+struct PairsByLevel;
 
 /// Lists of nodes, one behind the other: what each of the nodes of a level below one meets.
 class MeetingLists {
@@ -23,40 +27,51 @@ class MeetingLists {
   }
 
  private:
-  friend class FrameWalk;
+  template <typename Nodes>
+  friend class PairWalk;
   Buffer<TreeNode> met_;
   std::vector<std::uint32_t> end_;
 };
 
-class FrameWalk {
+/// The nodes of a tree with their boxes.
+class NodeBoxes {
+ public:
+  explicit NodeBoxes(const BoxTree& tree) : tree_(tree) {}
+  [[nodiscard]] const BoxTree& tree() const { return tree_; }
+  [[nodiscard]] BoxLevel level(std::uint32_t level) const { return tree_.level(level); }
+
+ private:
+  const BoxTree& tree_;
+};
+
+/// `Nodes`: NodeBoxes, NodeStrips, which are boxes first, or NodeFrames.
+template <typename Nodes>
+class PairWalk {
  public:
   /// Both have to outlive the walk. A tree with itself has each pair of nodes once, and none between which there is
   /// nothing (nothing_between).
-  FrameWalk(const NodeFrames& first, const NodeFrames& second)
+  PairWalk(const Nodes& first, const Nodes& second)
       : first_(first),
         second_(second),
-        is_self_(&first == &second),
+        is_self_(&first.tree() == &second.tree()),
         stalls_(first.tree().stalls() || second.tree().stalls()),
         tree_(second.tree().as_self()) {}
 
   /// Fills the lists of the nodes of `level` below `top`, which may lie above the root: the nodes of the second tree,
-  /// out of those in `list` and below these, which they may meet as far as frames tell: leaves, or such as are no
-  /// larger than the node (in length and width together) if that is none. All levels are even. Adds the number of
-  /// frames tested.
+  /// out of those in `list` and below these, which they may meet as far as these tell: leaves, or such as are
+  /// no larger than the node if that is none. All levels are even. Adds the number of boxes, frames and strips tested.
   void go_down(TreeNode top, std::uint32_t level, std::span<const TreeNode> list, MeetingLists& lists,
                SearchCounts& counts) const;
 
  private:
-  struct Pairs;
-  struct PairsByLevel;
-
   void step_down(std::uint32_t level, const PairsByLevel& from, PairsByLevel& to, SearchCounts& counts) const;
-  void drop_apart(Pairs& near, std::size_t from, Pairs& far, std::uint32_t level, std::uint32_t second_level) const;
+  void drop_apart(PairList& near, std::size_t from, PairList& far, std::uint32_t level,
+                  std::uint32_t second_level) const;
   [[nodiscard]] bool is_far(TreeNode first, TreeNode second) const;
   [[nodiscard]] bool is_left_out(TreeNode first, TreeNode second) const;
 
-  const NodeFrames& first_;
-  const NodeFrames& second_;
+  const Nodes& first_;
+  const Nodes& second_;
   bool is_self_;
   bool stalls_;
   SelfTree tree_;

@@ -1,12 +1,13 @@
-#include "engine/geometry/index/frame_walk.hpp"
+#include "engine/geometry/index/pair_walk.hpp"
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 #include <utility>
 
 namespace lober::detail {
 
-struct FrameWalk::Pairs {
+struct PairList {
   Buffer<NodePair> pair;
   std::size_t count = 0;
   NodePair* room_for(std::size_t more) {
@@ -17,8 +18,8 @@ struct FrameWalk::Pairs {
 
 // By half the level of the second node. Pairs near by along the curve are apart from the others, where there is nothing
 // to ask.
-struct FrameWalk::PairsByLevel {
-  std::array<Pairs, 16> near, far;
+struct PairsByLevel {
+  std::array<PairList, 16> near, far;
   std::size_t levels = 0;  // the lists behind these are empty
 
   void clear(std::size_t levels_from_now) {
@@ -26,7 +27,7 @@ struct FrameWalk::PairsByLevel {
     for (std::size_t k = 0; k < levels; ++k) near[k].count = far[k].count = 0;
   }
   void add(TreeNode first, TreeNode second, bool is_near) {
-    Pairs& pairs = is_near ? near[second.level / 2] : far[second.level / 2];
+    PairList& pairs = is_near ? near[second.level / 2] : far[second.level / 2];
     *pairs.room_for(1) = {first.index, second.index};
     ++pairs.count;
   }
@@ -42,20 +43,23 @@ struct FrameWalk::PairsByLevel {
 
 // Whether two nodes are so far from each other along the curve that there is nothing to ask between them, nor between
 // any below them.
-bool FrameWalk::is_far(TreeNode first, TreeNode second) const {
+template <typename Nodes>
+bool PairWalk<Nodes>::is_far(TreeNode first, TreeNode second) const {
   if (stalls_) return false;
   return !is_self_ || second.index << second.level >= far_behind(first, first);
 }
 
 // Whether there is nothing to find between two nodes, or one is a point that a curve stays in.
-bool FrameWalk::is_left_out(TreeNode first, TreeNode second) const {
+template <typename Nodes>
+bool PairWalk<Nodes>::is_left_out(TreeNode first, TreeNode second) const {
   if (stalls_ && (is_point(first_.tree().box(first)) || is_point(second_.tree().box(second)))) return true;
   return is_self_ && nothing_between(tree_, first, second);
 }
 
 // Those of the pairs from number `from` on that are far go to `far`, and those that are left out go.
-void FrameWalk::drop_apart(Pairs& near, std::size_t from, Pairs& far, std::uint32_t level,
-                           std::uint32_t second_level) const {
+template <typename Nodes>
+void PairWalk<Nodes>::drop_apart(PairList& near, std::size_t from, PairList& far, std::uint32_t level,
+                                 std::uint32_t second_level) const {
   NodePair* to_far = far.room_for(near.count - from);
   std::size_t kept = from;
   for (std::size_t k = from; k < near.count; ++k) {
@@ -72,41 +76,51 @@ void FrameWalk::drop_apart(Pairs& near, std::size_t from, Pairs& far, std::uint3
 }
 
 // From the first nodes of all pairs to those of `level`, two below them.
-void FrameWalk::step_down(std::uint32_t level, const PairsByLevel& from, PairsByLevel& to, SearchCounts& counts) const {
+template <typename Nodes>
+void PairWalk<Nodes>::step_down(std::uint32_t level, const PairsByLevel& from, PairsByLevel& to,
+                                SearchCounts& counts) const {
   thread_local PairsByLevel waiting;
   to.clear(from.levels);
   waiting.clear(from.levels);
-  const FramedLevel first = first_.level(level);
-  const auto divide = [&](auto pairs_below, const Pairs& pairs, std::size_t half, bool is_near) {
+  const auto first = first_.level(level);
+  const auto divide = [&](const auto& pairs_below, const PairList& pairs, std::size_t half, bool is_near) {
     if (pairs.count == 0) return;
-    Pairs& kept = is_near ? to.near[half] : to.far[half];
-    Pairs& split = is_near ? waiting.near[half] : waiting.far[half];
+    PairList& kept = is_near ? to.near[half] : to.far[half];
+    PairList& split = is_near ? waiting.near[half] : waiting.far[half];
     const std::size_t kept_before = kept.count, split_before = split.count, room = 4 * pairs.count + 4;
     const auto second_level = static_cast<std::uint32_t>(2 * half);
     const Keep keep = half == 0 ? Keep::all : level == 0 ? Keep::none : Keep::level;
     NodePair* const to_kept = kept.room_for(room);
     NodePair* const to_split = split.room_for(room);
-    const SplitCounts found =
+    SplitCounts found =
         pairs_below(first, second_.level(second_level), pairs.pair.data(), pairs.count, keep, to_kept, to_split);
     counts.boxes_tested += 4 * pairs.count;
+    if constexpr (std::is_same_v<Nodes, NodeStrips>) {
+      const Strip *const strips1 = first_.strips(level), *const strips2 = second_.strips(second_level);
+      counts.boxes_tested += found.kept + found.split;
+      found = {keep_near(strips1, strips2, to_kept, found.kept), keep_near(strips1, strips2, to_split, found.split)};
+    }
     kept.count += found.kept;
     split.count += found.split;
     if (!is_near) return;
     drop_apart(kept, kept_before, to.far[half], level, second_level);
     drop_apart(split, split_before, waiting.far[half], level, second_level);
   };
+  const auto below_first = [](auto... given) { return pairs_below_first(given...); };
+  const auto below_second = [](auto... given) { return pairs_below_second(given...); };
   for (std::size_t half = 0; half < from.levels; ++half) {
-    divide(pairs_below_first, from.near[half], half, true);
-    divide(pairs_below_first, from.far[half], half, false);
+    divide(below_first, from.near[half], half, true);
+    divide(below_first, from.far[half], half, false);
   }
   for (std::size_t half = from.levels; half-- > 1;) {
-    divide(pairs_below_second, waiting.near[half], half - 1, true);
-    divide(pairs_below_second, waiting.far[half], half - 1, false);
+    divide(below_second, waiting.near[half], half - 1, true);
+    divide(below_second, waiting.far[half], half - 1, false);
   }
 }
 
-void FrameWalk::go_down(TreeNode top, std::uint32_t level, std::span<const TreeNode> list, MeetingLists& lists,
-                        SearchCounts& counts) const {
+template <typename Nodes>
+void PairWalk<Nodes>::go_down(TreeNode top, std::uint32_t level, std::span<const TreeNode> list, MeetingLists& lists,
+                              SearchCounts& counts) const {
   thread_local std::array<PairsByLevel, 2> pairs;
   PairsByLevel *now = pairs.data(), *next = now + 1;
   std::size_t levels = 0;
@@ -119,18 +133,22 @@ void FrameWalk::go_down(TreeNode top, std::uint32_t level, std::span<const TreeN
   }
   const std::uint32_t begin = top.index << (top.level - level);
   lists.end_.assign(std::size_t{1} << (top.level - level), 0);
-  now->for_each_list([&](const Pairs& found, std::uint32_t) {
+  now->for_each_list([&](const PairList& found, std::uint32_t) {
     for (std::size_t k = 0; k < found.count; ++k) ++lists.end_[found.pair[k].first - begin];
   });
   std::uint32_t total = 0;
   for (std::uint32_t& end : lists.end_) total += std::exchange(end, total);
   if (lists.met_.size() < total) lists.met_.resize(2 * std::size_t{total});
-  now->for_each_list([&](const Pairs& found, std::uint32_t second_level) {
+  now->for_each_list([&](const PairList& found, std::uint32_t second_level) {
     for (std::size_t k = 0; k < found.count; ++k) {
       const NodePair pair = found.pair[k];
       lists.met_[lists.end_[pair.first - begin]++] = {second_level, pair.second};
     }
   });
 }
+
+template class PairWalk<NodeBoxes>;
+template class PairWalk<NodeFrames>;
+template class PairWalk<NodeStrips>;
 
 }  // namespace lober::detail
