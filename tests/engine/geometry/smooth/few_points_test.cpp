@@ -97,5 +97,17 @@ TEST(SmoothFewPoints, ALeafThatTurnsRoundIsSearched) {
   }
 }
 
+// The chord of an arc lies beside that of the arc that it crosses, and at an angle to it.
+TEST(SmoothFewPoints, ChordsThatDoNotLieAboveEachOtherAreCompared) {
+  for (int k = 0; k < 2000; ++k) {
+    const double at = 0.6 * (k % 100 / 99.0 - 0.5), stretch = 0.1, r = 0.56, d = 1 + r - 5e-7;
+    const Points c1 = sample(ellipse(0, 0, 1, stretch), 17, 0.05 * (k / 100));
+    const Points c2 = sample(ellipse(d * std::cos(at), stretch * d * std::sin(at), r, stretch * r), 168);
+    const SmoothAreas smooth = smooth_areas(overlay(CurveView{c1}, CurveView{c2}));
+    const double both = stretched_circles(r, d, stretch).intersection;
+    EXPECT_LE(std::fabs(smooth.areas.intersection - both), smooth.error.intersection) << k;
+  }
+}
+
 }  // namespace
 }  // namespace lober::smooth_test
