@@ -11,6 +11,7 @@
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/smooth/segment_shapes.hpp"
+#include "kernels/inline.hpp"
 
 namespace lober::detail {
 namespace {
@@ -37,7 +38,7 @@ struct ArcPair {
 
   // Twice the area over the chord of the first arc in which the second one lies on the wrong side of it; nothing where
   // no part of the second chord lies above the first one.
-  [[nodiscard]] std::optional<double> hidden() const {
+  [[nodiscard]] LOBER_INLINE std::optional<double> hidden() const {
     const Point chord = arc1.chord, chord2 = arc2.chord, left2{-chord2.y, chord2.x}, to2 = from2 + chord2;
     const double square = dot(chord, chord);
     if (!(square > 0) || from2 == to2) return 0.0;
@@ -237,6 +238,8 @@ class NearPairs {
     }
   }
 
+  // Seldom called, apart from the loop of the pairs.
+  [[nodiscard, gnu::noinline]] static double hidden_above(const ArcPair& pair) { return pair.hidden().value_or(0); }
   static bool steep(Point chord, Point other) { return std::fabs(cross(chord, other)) > std::fabs(dot(chord, other)); }
   void compare() {
     SegmentShapes shapes1(c1_.curve, pairs_.size()), shapes2(c2_.curve, pairs_.size());
@@ -253,7 +256,7 @@ class NearPairs {
       if (above)
         area_ += *above;
       else if (no_nodes_ && steep(arc1.chord, arc2.chord))
-        area_ += ArcPair{arc2, arc1, a - c}.hidden().value_or(0);
+        area_ += hidden_above({arc2, arc1, a - c});
     }
     pairs_.clear();
   }
