@@ -58,6 +58,33 @@ LOBER_INLINE ValueMask wavers(const Window& w, const InUse& in_use) {
   return (of_some > 1) | (of_all > 2);
 }
 
+// Twice the area, in units of the segment's square, between a segment and the parabola that touches the lines of the
+// chords beside it, which meet no farther away than the longer of these is long. Zero but where a curve that goes on
+// turning one way may have its spike, which polygons show as one corner or two.
+template <typename Window>
+LOBER_INLINE Values area_of_spike(const Window& w) {
+  ValueMask left = ~ValueMask{}, right = left;
+  for (std::size_t k = 2; k < 6; ++k) {
+    left &= w.sine(k) > all_of(0);
+    right &= w.sine(k) < all_of(0);
+  }
+  const auto turn = [&](std::size_t k) { return magnitude_of(w.sine(k)); };
+  const auto falls_to = [&](std::size_t k, std::size_t next, double times) {
+    return ~w.corner(next) & (turn(k) < all_of(times) * turn(next));
+  };
+  constexpr double two = SmoothLimits::two_corners_of_spike, one = SmoothLimits::corner_of_spike;
+  const ValueMask between_corners =
+      w.corner(3) & w.corner(4) & falls_to(3, 2, two) & falls_to(4, 2, two) & falls_to(3, 5, two) & falls_to(4, 5, two);
+  const ValueMask beside_corner = (w.corner(3) & falls_to(3, 4, one)) | (w.corner(4) & falls_to(4, 3, one));
+  const auto cotangent = [&](std::size_t k) {
+    const Values ax = w.along_x(k - 1), ay = w.along_y(k - 1), bx = w.along_x(k), by = w.along_y(k);
+    return (ax * bx + ay * by) / magnitude_of(ax * by - ay * bx);
+  };
+  const Values least = w.length(3) / greater(w.length(2), w.length(4));
+  const Values area = all_of(2.0 / 3) / greater(cotangent(3) + cotangent(4), least);
+  return select((left | right) & (between_corners | beside_corner), area, all_of(0));
+}
+
 // The fits. `regular`: both vertices on either side are in use in all of these windows, and no turns waver.
 template <bool regular, typename Window>
 LOBER_INLINE Fits fit_together(const Window& w, const InUse& in_use) {
@@ -175,6 +202,9 @@ LOBER_INLINE Fits fit_together(const Window& w, const InUse& in_use) {
     fits.error = select(fits.noisy, fits.error + square * largest * all_of(1.0 / 3), fits.error);
     fits.error = select(has_length, select(straight, of_turns, fits.error), zero);
     fits.area = select(fits.smooth, fits.area, zero);
+    const Values spike = square * area_of_spike(w);
+    fits.error = select(has_length & (spike > zero), greater(fits.error, magnitude_of(spike - magnitude_of(fits.area))),
+                        fits.error);
     for (Values& coefficient : fits.f) coefficient = select(fits.smooth, coefficient, zero);
   }
   return fits;

@@ -61,13 +61,18 @@ struct SmoothSegment {
 /// use, the change when g loses its farther vertices, the error of a formula of order h^5, three times it, or the area
 /// times the square of the larger turn at an end, where some of those are of no use either; and rounding, that of the
 /// vertices given too. Where the segment stays straight it is the size of the chord-to-arc area that was rejected, or
-/// that its turns let expect, none at corners. Plain double; 300 operations. One window takes as long as four do.
+/// that its turns let expect, none at corners. Beside a corner or two that may be the spike of a thin shape, with few
+/// vertices, it is no less than the difference to the area of a parabola that the chords beside the segment touch.
+/// Plain double; 300 operations. One window takes as long as four do.
 [[nodiscard]] SmoothSegment fit_smooth_segment(const std::array<Point, 8>& p);
 
 /// The limits that it names.
 struct SmoothLimits {
   static constexpr double cosine_of_corner = 0.70710678118654757, cosine_of_stray = 0.34202014332566873;
   static constexpr double outstanding = 8, uneven = 8;
+  // At a spike a corner turns no more than this many times more than the vertex beside it: one of two corners in a row,
+  // and a single one, which may as well be where two arcs meet.
+  static constexpr double two_corners_of_spike = 16, corner_of_spike = 4;
   // Rounding of vertices: half an ulp or a quarter for each segment, added up, is four standard deviations of the sum
   // from a few dozen segments on.
   static constexpr double rounding = 0x1p-54;

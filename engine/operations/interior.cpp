@@ -8,6 +8,7 @@
 #include "engine/operations/outcome_of.hpp"
 #include "engine/operations/schema.hpp"
 #include "engine/operations/table.hpp"
+#include "engine/operations/underflow_remark.hpp"
 #include "lober/base/error.hpp"
 
 namespace lober::detail::table {
@@ -100,7 +101,10 @@ Outcome run_interior(std::span<const Input> inputs, const Options& options, cons
                   sum(sum(found.rounding, other.rounding), found.splitting.value_or(Areas{})));
     found.verify_seconds = watch.seconds();
   }
-  return outcome_of(std::move(found), options);
+  const Areas areas = found.areas, rounding = found.rounding;
+  Outcome outcome = outcome_of(std::move(found), options);
+  remark_on_underflow(areas, rounding, outcome);
+  return outcome;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "engine/operations/outcome_of.hpp"
 #include "engine/operations/overlay_fields.hpp"
 #include "engine/operations/table.hpp"
+#include "engine/operations/underflow_remark.hpp"
 #include "lober/overlay/interior.hpp"
 
 namespace lober::detail::table {
@@ -106,12 +107,14 @@ Outcome run_overlay(std::span<const Input> inputs, const Options& options, const
     compare_with_smooth(found);
     found.smooth_seconds = watch.seconds();
   }
+  const Areas areas = found.areas, rounding = found.rounding;
   Outcome outcome = outcome_of(std::move(found), options);
   if (unchecked) {
     outcome.remarks.emplace_back(
         "it was not checked whether the curves are simple: where one crosses itself, areas and pieces mean nothing, "
         "and error bars hold for neither");
   }
+  remark_on_underflow(areas, rounding, outcome);
   return outcome;
 }
 
@@ -120,7 +123,7 @@ Outcome run_overlay(std::span<const Input> inputs, const Options& options, const
 Operation overlay_operation() {
   Operation operation;
   operation.name = "overlay";
-  operation.revision = 3;  // the estimate of the discretisation where curves are nearly tangent
+  operation.revision = 4;  // bars of curves of few points, estimates of very small ones
   operation.title = "crossings, lobes and areas of two closed curves";
   operation.summary =
       "Computes where two simple closed curves cross, the pieces of their differences, intersection and union, and all "

@@ -7,6 +7,7 @@
 #include "engine/operations/outcome_of.hpp"
 #include "engine/operations/schema.hpp"
 #include "engine/operations/table.hpp"
+#include "engine/operations/underflow_remark.hpp"
 
 namespace lober::detail::table {
 using namespace operations;
@@ -131,7 +132,10 @@ Outcome run_regions(std::span<const Input> inputs, const Options& options, const
       (*found.pieces)[static_cast<std::size_t>(pairing)] = found.regions.pieces(how.rule, pairing);
     }
   }
-  return outcome_of(std::move(found), options);
+  const Areas areas = found.areas, rounding = found.rounding;
+  Outcome outcome = outcome_of(std::move(found), options);
+  remark_on_underflow(areas, rounding, outcome);
+  return outcome;
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/cli/program.hpp"
 
@@ -63,6 +66,32 @@ TEST_F(OverlaySmooth, TellsHowManySegmentsStayStraight) {
   write_curve("box", box(0, 0, 3, 2));
   EXPECT_EQ(overlay({"c1", "box", "--smooth"})["smooth"]["fallback_segments"], 4);
   EXPECT_NE(run({"overlay", "c1", "box", "--smooth"}).out.find("not smooth: 4 segments"), std::string::npos);
+}
+
+// Areas are in the range of double as long as coordinates are above 1e-154; what is below is not given as 0 without a
+// word.
+TEST_F(OverlaySmooth, OfVerySmallCurves) {
+  const auto write_scaled = [&](double scale) {
+    for (const auto& [name, x] : {std::pair{"c1", 0.0}, std::pair{"c2", 0.7}}) {
+      std::vector<Point> points = flower(100, 5, 0.0, {x, 0});
+      for (Point& p : points) p = {scale * p.x, scale * p.y};
+      write_curve(name, points);
+    }
+  };
+  write_scaled(1.01e-154);
+  const Outcome in_range = run({"overlay", "c1", "c2", "--smooth"});
+  EXPECT_EQ(in_range.status, 0) << in_range.err;
+  EXPECT_EQ(in_range.err, "");
+  for (const double scale : {1e-158, 1e-200}) {
+    write_scaled(scale);
+    for (const std::string command : {"overlay", "interior"}) {
+      const Outcome below = run({command, "c1", "c2"});
+      EXPECT_EQ(below.status, 0) << below.err;
+      EXPECT_NE(below.err.find("areas below 2.2e-308"), std::string::npos) << command << ' ' << scale;
+    }
+    EXPECT_EQ(run({"overlay", "c1", "c2", "--smooth"}).status, 0);
+    EXPECT_NE(run({"overlay", "c1", "c2", "--rule", "nonzero"}).err.find("areas below"), std::string::npos);
+  }
 }
 
 TEST_F(OverlaySmooth, IsNotForRules) {

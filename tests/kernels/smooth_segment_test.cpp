@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -81,6 +82,31 @@ TEST(SmoothSegment, DoesNotLookBeyondCorners) {
   for (std::size_t k = 0; k < 3; ++k) p[k] = {p[3].x - 0.1 * static_cast<double>(3 - k), p[3].y};  // and at p[3]
   EXPECT_EQ(fit_smooth_segment(p).kind, SegmentKind::straight);
   EXPECT_EQ(fit_smooth_segment(p).chord_area(1), 0);
+}
+
+// Twice the area that an ellipse of half-axes 1 and 0.2 has beyond the chord between two of its points.
+TEST(SmoothSegment, SpikesOfFewVerticesHaveAnErrorBar) {
+  const double b = 0.2;
+  for (const double first : {-3.5, -3.2, -3.0, -2.5}) {
+    for (const double h : {0.2, 0.25, 0.3, 0.35}) {
+      Window p;
+      for (std::size_t k = 0; k < 8; ++k) {
+        const double t = h * (static_cast<double>(k) + first);
+        p[k] = {std::cos(t), b * std::sin(t)};
+      }
+      const SmoothSegment spike = fit_smooth_segment(p);
+      EXPECT_LE(std::fabs(spike.chord_area(1) - b * (h - std::sin(h))), spike.error) << first << ' ' << h;
+    }
+  }
+  // The sides of polygons have none, with vertices between their corners or without.
+  for (const std::size_t divided : {1U, 3U}) {
+    Window p{Point{0, 0}};
+    for (std::size_t k = 1; k < 8; ++k) {
+      const double angle = std::numbers::pi / 3 * static_cast<double>(k / divided);
+      p[k] = {p[k - 1].x + std::cos(angle), p[k - 1].y + std::sin(angle)};
+    }
+    EXPECT_LE(fit_smooth_segment(p).error, 1e-14);
+  }
 }
 
 TEST(SmoothSegment, TakesAZigzagForNoise) {

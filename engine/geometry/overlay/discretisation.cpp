@@ -165,12 +165,9 @@ struct Bend {
 // the polygons are wrong, and where there is no other crossing, that is not the case for longer than a segment.
 class CrossingEnds {
  public:
-  CrossingEnds(const Overlay& result, const Buffer<double>& areas1, const Buffer<double>& areas2)
-      : graph_(graph_of(result.nodes)),
-        c1_(result.nodes.curve1()),
-        c2_(result.nodes.curve2()),
-        areas1_(areas1),
-        areas2_(areas2) {}
+  CrossingEnds(const NodeGraph& graph, const CurveView& c1, const CurveView& c2, const Buffer<double>& areas1,
+               const Buffer<double>& areas2)
+      : graph_(graph), c1_(c1), c2_(c2), areas1_(areas1), areas2_(areas2) {}
 
   // In fixed blocks, so that it does not depend on the number of threads.
   [[nodiscard]] double area() const {
@@ -264,8 +261,8 @@ double twice_hidden(const DiscretisationData::Arcs& one, const DiscretisationDat
   return hidden_area({one.curve, one.boxes, none1}, {other.curve, other.boxes, none2});
 }
 
-double area_hidden(const Overlay& result, const DiscretisationData& first, const DiscretisationData& second) {
-  const int exponent = result.nodes.data().exponent;
+// The curves have to be multiplied by 2^exponent.
+double area_hidden(int exponent, const DiscretisationData& first, const DiscretisationData& second) {
   if (exponent == 0) return 0.5 * twice_hidden(first.arcs(), second.arcs());
   const std::vector<Point> one = scaled(first.curve, exponent), other = scaled(second.curve, exponent);
   return scaled_area(twice_hidden(*DiscretisationData::made_of({one, first.curve.closed}),
@@ -326,12 +323,11 @@ std::size_t DiscretisationSums::memory() const {
          (data_->curve.segments() / ArcBoxes::segments_a_leaf + 1) * bytes_a_leaf;
 }
 
-Areas discretisation_error(const Overlay& result) {
-  return discretisation_error(result, DiscretisationSums(result.nodes.curve1()),
-                              DiscretisationSums(result.nodes.curve2()));
-}
+namespace {
 
-Areas discretisation_error(const Overlay& result, const DiscretisationSums& first, const DiscretisationSums& second) {
+// The estimate for curves that have to be multiplied by 2^exponent before squares of lengths are taken. The curves of
+// the sums may be those of the result, scaled.
+Areas estimate(const Overlay& result, const DiscretisationSums& first, const DiscretisationSums& second, int exponent) {
   const NodeGraph& graph = graph_of(result.nodes);
   const std::size_t count = graph.contacts.size();
   constexpr double largest = std::numeric_limits<double>::max();
@@ -385,9 +381,10 @@ Areas discretisation_error(const Overlay& result, const DiscretisationSums& firs
     common = gain1;
   }
   if (result.nodes.same_curve()) minus12 = minus21 = {};
-  const double ends = result.nodes.same_curve()      ? 0
-                      : result.nodes.crossings() > 0 ? CrossingEnds(result, areas1, areas2).area()
-                                                     : area_hidden(result, first.data(), second.data());
+  const double ends = result.nodes.same_curve() ? 0
+                      : result.nodes.crossings() > 0
+                          ? CrossingEnds(graph, first.data().curve, second.data().curve, areas1, areas2).area()
+                          : area_hidden(exponent, first.data(), second.data());
   const auto with_ends = [&](DD twice, double times) { return std::min(lost(twice) + times * ends, largest); };
   Areas areas;
   areas.c1 = lost(gain1);
@@ -397,6 +394,23 @@ Areas discretisation_error(const Overlay& result, const DiscretisationSums& firs
   areas.intersection = with_ends(common, 1);
   areas.symmetric_difference = with_ends(minus12 + minus21, 2);
   areas.union_ = with_ends(minus12 + minus21 + common, 1);
+  return areas;
+}
+
+}  // namespace
+
+Areas discretisation_error(const Overlay& result) {
+  return discretisation_error(result, DiscretisationSums(result.nodes.curve1()),
+                              DiscretisationSums(result.nodes.curve2()));
+}
+
+Areas discretisation_error(const Overlay& result, const DiscretisationSums& first, const DiscretisationSums& second) {
+  const int exponent = result.nodes.data().exponent;
+  if (exponent <= 0) return estimate(result, first, second, exponent);
+  // Squares of the lengths of such small segments underflow, in the sums too.
+  const std::vector<Point> one = scaled(first.data().curve, exponent), other = scaled(second.data().curve, exponent);
+  Areas areas = estimate(result, DiscretisationSums({one, true}), DiscretisationSums({other, true}), 0);
+  scale(areas, -2 * exponent);
   return areas;
 }
 

@@ -9,7 +9,7 @@
 namespace lober::detail {
 namespace {
 
-// A bend of this part of a leaf's box comes from corners or from uneven points: segments of smooth curves turn less.
+// A bend of this part of a leaf's box comes from corners, or from points that are uneven or few.
 constexpr double uneven = 1.0 / (32 * ArcBoxes::segments_a_leaf);
 
 // Both coordinates of a point.
@@ -55,24 +55,36 @@ double bend_by_turns(const Point* points, std::size_t count) {
     const double turn = cross(in, out), ahead = in.x * out.x + in.y * out.y;
     if (!(std::fabs(turn) <= ahead)) continue;
     const double shorter = std::min(in.x * in.x + in.y * in.y, out.x * out.x + out.y * out.y);
-    if (shorter > 0) most = std::max(most, turn * turn / shorter);
+    if (shorter > 0) most = std::max(most, turn / shorter * turn);  // without underflow
   }
   return std::sqrt(most) / 2;
 }
 
-// The largest distance of points from the chord between the first and the last one.
-double distance_from_chord(const Point* points, std::size_t count) {
+// A bound of the distance of points from the chord between the first and the last one. A fold leads beyond the ends of
+// the chord, where its line is no measure of that: by no more than the diagonal of the points' box is longer.
+double distance_from_chord(const Point* points, std::size_t count, double diagonal) {
   const Point from = points[0], along = points[count - 1] - from;
-  const double square = along.x * along.x + along.y * along.y;
-  double most = 0, farthest = 0;
+  const double square = dot(along, along);
+  if (!(square > 0)) return diagonal;
+  double most = 0;
   for (std::size_t k = 1; k + 1 < count; ++k) {
-    const double x = points[k].x - from.x, y = points[k].y - from.y;
-    const double height = std::fabs(along.x * y - along.y * x);
+    const double height = std::fabs(cross(along, points[k] - from));
     most = height > most ? height : most;
-    const double far = x * x + y * y;
-    farthest = far > farthest ? far : farthest;
   }
-  return square > 0 ? most / std::sqrt(square) : std::sqrt(farthest);
+  const double length = std::sqrt(square);
+  return most / length + std::max(diagonal - length, 0.0);
+}
+
+// How far the arcs of `count` segments from points[1] on may lie beside where they are fitted, by the errors of their
+// areas: one that grows and falls like u (1 - u) along the arc is 3/4 of that at its largest.
+double largest_error(const Point* points, std::size_t count, const double* errors) {
+  double most = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Point along = points[k + 2] - points[k + 1];
+    const double square = dot(along, along);
+    if (square > 0) most = std::max(most, errors[k] / square * errors[k]);
+  }
+  return std::sqrt(most);
 }
 
 }  // namespace
@@ -89,7 +101,7 @@ ArcBoxes::ArcBoxes(const SmoothCurve& curve) : curve_(&curve), segments_(curve.s
   bends_.resize(size_[0]);
 }
 
-void ArcBoxes::add(std::size_t begin, std::size_t end) {
+void ArcBoxes::add(std::size_t begin, std::size_t end, const double* errors) {
   std::array<Point, segments_a_leaf + 3> copied;
   for (std::size_t from = begin; from < end; from += segments_a_leaf) {
     const std::size_t leaf = from / segments_a_leaf, points = this->end(leaf) - from + 1;
@@ -100,18 +112,29 @@ void ArcBoxes::add(std::size_t begin, std::size_t end) {
     }
     const Extremes e = extremes_of(window, points);
     double bend = std::sqrt(e.bend[0] * e.bend[0] + e.bend[1] * e.bend[1]) / 2;
-    const double extent = e.high[0] - e.low[0] + (e.high[1] - e.low[1]);
-    if (bend > uneven * extent && !SmoothCurve::repeats({window, points + 2}))
-      bend = std::min(bend, bend_by_turns(window, points));
+    const double width = e.high[0] - e.low[0], height = e.high[1] - e.low[1], extent = width + height;
+    if (bend > uneven * extent) {
+      if (!SmoothCurve::repeats({window, points + 2})) bend = std::min(bend, bend_by_turns(window, points));
+      bend +=
+          errors != nullptr ? largest_error(window, points - 1, errors + (from - begin)) : error_of_leaf(leaf, window);
+    }
     boxes_[leaf] = {{e.low[0] - bend, e.low[1] - bend, -(e.high[0] + bend), -(e.high[1] + bend)}};
     bends_[leaf] = bend;
-    strips_[leaf] = {window[1], window[points], distance_from_chord(window + 1, points) + bend};
+    strips_[leaf] = {window[1], window[points],
+                     distance_from_chord(window + 1, points, std::sqrt(width * width + height * height)) + bend};
   }
+}
+
+double ArcBoxes::error_of_leaf(std::size_t leaf, const Point* window) const {
+  const std::size_t first = leaf * segments_a_leaf, last = end(leaf);
+  SmoothCurve::Few few;
+  curve_->fit(first, last, few);
+  return largest_error(window, last - first, few.errors.data());
 }
 
 void ArcBoxes::add_all() {
   constexpr std::size_t block = 64 * segments_a_leaf;
-  for_each_block(segments_, block, [this](std::size_t begin, std::size_t end) { add(begin, end); });
+  for_each_block(segments_, block, [this](std::size_t begin, std::size_t end) { add(begin, end, nullptr); });
   join();
 }
 

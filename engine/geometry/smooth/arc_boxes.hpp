@@ -27,8 +27,10 @@ class ArcBoxes {
   /// No boxes yet: a pass that reads the points anyway calls add() for all of them, then join().
   explicit ArcBoxes(const SmoothCurve& curve);
   /// The leaves of the segments from `begin`, the first of a leaf, to `end`, the first of another one or that of the
-  /// curve. Any thread may call it, for leaves of its own. 2 ns a segment whose points are in the cache.
-  void add(std::size_t begin, std::size_t end);
+  /// curve, with the errors of their areas (SmoothSegment::error): an arc may lie as far beside where it is fitted as
+  /// its error allows. Where `errors` is null, leaves of few points and of corners fit their arcs for that. Any thread
+  /// may call it, for leaves of its own. 2 ns a segment whose points are in the cache.
+  void add(std::size_t begin, std::size_t end, const double* errors);
   /// The boxes above leaves. O(n / 16).
   void join();
   /// Both for all segments, in parallel.
@@ -39,11 +41,14 @@ class ArcBoxes {
   [[nodiscard]] const Box& box(TreeNode node) const { return boxes_[begin_[node.level] + node.index]; }
   [[nodiscard]] BoxPyramid pyramid() const { return {boxes_.data(), begin_.data(), size_.data()}; }
   [[nodiscard]] const ArcStrip& strip(std::size_t leaf) const { return strips_[leaf]; }
-  /// How far arcs of a leaf lie from their segments at most.
+  /// How far arcs of a leaf lie from their segments at most, where they are fitted or as far beside as they may be
+  /// wrong.
   [[nodiscard]] double bend(std::size_t leaf) const { return bends_[leaf]; }
   [[nodiscard]] std::size_t end(std::size_t leaf) const { return std::min((leaf + 1) * segments_a_leaf, segments_); }
 
  private:
+  [[nodiscard]] double error_of_leaf(std::size_t leaf, const Point* window) const;
+
   const SmoothCurve* curve_;
   std::size_t segments_;
   std::uint32_t levels_ = 1;

@@ -99,7 +99,7 @@ std::uint64_t add_by_class(CurveToAdd to_add, const SegmentOf& segment_of, const
     for (std::size_t first = begin; first < end; first += SmoothCurve::Few::most) {
       const std::size_t last = std::min(first + SmoothCurve::Few::most, end);
       curve.fit(first, last, few);
-      to_add.boxes.add(first, last);
+      to_add.boxes.add(first, last, few.errors.data());
       straight[begin / segments_a_block] += few.straight;
       std::size_t from = first;
       for (; next < count; ++next) {

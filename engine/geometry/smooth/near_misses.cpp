@@ -6,10 +6,12 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/geometry/smooth/segment_shapes.hpp"
+#include "kernels/inline.hpp"
 
 namespace lober::detail {
 namespace {
@@ -34,19 +36,20 @@ struct ArcPair {
   const SmoothSegment &arc1, &arc2;
   Point from2;
 
-  // Twice the area over the chord of the first arc in which the second one lies on the wrong side of it.
-  [[nodiscard]] double hidden() const {
+  // Twice the area over the chord of the first arc in which the second one lies on the wrong side of it; nothing where
+  // no part of the second chord lies above the first one.
+  [[nodiscard]] LOBER_INLINE std::optional<double> hidden() const {
     const Point chord = arc1.chord, chord2 = arc2.chord, left2{-chord2.y, chord2.x}, to2 = from2 + chord2;
     const double square = dot(chord, chord);
-    if (!(square > 0) || from2 == to2) return 0;
+    if (!(square > 0) || from2 == to2) return 0.0;
     // Along the first chord and above it, in units of it.
     const double begin = dot(chord, from2) / square, end = dot(chord, to2) / square;
     const double from = cross(chord, from2) / square, to = cross(chord, to2) / square;
     // The side that the segments have of each other, in the middle of what they have above one another.
     const double low = std::max(std::min(begin, end), 0.0), high = std::min(std::max(begin, end), 1.0);
-    if (!(low < high)) return 0;
+    if (!(low < high)) return std::nullopt;
     const double apart = from + ((low + high) / 2 - begin) / (end - begin) * (to - from);
-    if (apart == 0) return 0;
+    if (apart == 0) return 0.0;
     // The second arc may be far longer: its part above the first one, and somewhat more, as it is curved.
     constexpr double more_of_it = 0.125;
     const double u = (low - begin) / (end - begin), v = (high - begin) / (end - begin), aside = more_of_it * (v - u);
@@ -130,7 +133,10 @@ bool keep_away(const ArcStrip& one, const ArcStrip& other) {
 class NearPairs {
  public:
   NearPairs(const ArcsOfCurve& c1, const ArcsOfCurve& c2)
-      : c1_(c1), c2_(c2), carried_((c1.boxes.levels() + 1) / levels_at_once + 1) {}
+      : c1_(c1),
+        c2_(c2),
+        no_nodes_(c1.about.none() && c2.about.none()),
+        carried_((c1.boxes.levels() + 1) / levels_at_once + 1) {}
 
   /// Goes through the leaves below one node of C1.
   void walk(TreeNode node) {
@@ -232,6 +238,9 @@ class NearPairs {
     }
   }
 
+  // Seldom called, apart from the loop of the pairs.
+  [[nodiscard, gnu::noinline]] static double hidden_above(const ArcPair& pair) { return pair.hidden().value_or(0); }
+  static bool steep(Point chord, Point other) { return std::fabs(cross(chord, other)) > std::fabs(dot(chord, other)); }
   void compare() {
     SegmentShapes shapes1(c1_.curve, pairs_.size()), shapes2(c2_.curve, pairs_.size());
     for (Pair& pair : pairs_) {
@@ -242,7 +251,12 @@ class NearPairs {
     shapes2.fit();
     for (const Pair& pair : pairs_) {
       const Point a = c1_.curve.vertex(pair.segment1), c = c2_.curve.vertex(pair.segment2);
-      area_ += ArcPair{shapes1[pair.shape1], shapes2[pair.shape2], c - a}.hidden();
+      const SmoothSegment &arc1 = shapes1[pair.shape1], &arc2 = shapes2[pair.shape2];
+      const std::optional<double> above = ArcPair{arc1, arc2, c - a}.hidden();
+      if (above)
+        area_ += *above;
+      else if (no_nodes_ && steep(arc1.chord, arc2.chord))
+        area_ += hidden_above({arc2, arc1, a - c});
     }
     pairs_.clear();
   }
@@ -253,6 +267,9 @@ class NearPairs {
     std::uint32_t shape1 = 0, shape2 = 0;
   };
   const ArcsOfCurve &c1_, &c2_;
+  // Where polygons cross nowhere, nothing but the areas found here tells that arcs may: then those of few points, whose
+  // chords lead elsewhere, are compared along the second chord too.
+  bool no_nodes_;
   std::vector<Carried> carried_;  // one for each level that the walk passes through
   Buffer<TreeNode> waiting_, below_;
   std::vector<Pair> pairs_;
@@ -275,6 +292,7 @@ void NodeSegments::mark(double from, double to, std::uint8_t about) {
 }
 
 void NodeSegments::join() {
+  none_ = std::find(about_node_.begin(), about_node_.end(), 1) == about_node_.end();
   const std::size_t leaves = about_node_.size() / leaf_size_of_arcs;
   others_.resize(leaves);
   for (std::size_t leaf = 0; leaf < leaves; ++leaf) {

@@ -22,6 +22,8 @@ class NodeSegments {
   void remove(double from, double to) { mark(from, to, 0); }
   /// Nothing is added any more. O(n).
   void join();
+  /// Whether there are none.
+  [[nodiscard]] bool none() const { return none_; }
   /// The bits of those of a leaf of ArcBoxes that are not about nodes.
   [[nodiscard]] std::uint32_t others(std::size_t leaf) const { return others_[leaf]; }
   /// Whether there are any below a node of them.
@@ -33,6 +35,7 @@ class NodeSegments {
   void mark(double from, double to, std::uint8_t about);
 
   std::size_t size_;
+  bool none_ = true;
   Buffer<std::uint8_t> about_node_;  // and behind the last one up to the end of its leaf
   Buffer<std::uint32_t> others_;
   std::vector<Buffer<std::uint8_t>> levels_;  // any others, for the nodes above leaves

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,38 @@ TEST(Extremes, AnAreaJustBelowItIsNot) {
   EXPECT_EQ(result.areas.c1, signed_area(CurveView{first}));
   EXPECT_NEAR(regions(CurveView{first}, CurveView{second}).areas(FillRule::nonzero).union_ / 1.2e308, 1, 1e-15);
   EXPECT_TRUE(std::isfinite(discretisation_error(result).union_));
+}
+
+// Squares of the lengths of segments underflow long before areas do. Numbers below 2^-1022 keep fewer digits.
+TEST(Extremes, TheEstimateOfTheDiscretisationIsTheSameAtAnyScale) {
+  const auto circle = [](double x, double radius, int points, int exponent) {
+    Points result;
+    for (int k = 0; k < points; ++k) {
+      const double angle = 2 * std::numbers::pi * (k + 0.3) / points;
+      result.push_back(
+          {std::ldexp(x + radius * std::cos(angle), exponent), std::ldexp(radius * std::sin(angle), exponent)});
+    }
+    return result;
+  };
+  for (const double distance :
+       {0.7, 2 - 1e-4, 0.2}) {  // two crossings, a lens that polygons miss, a circle in the other
+    for (const int points : {90, 5000}) {
+      const auto estimate = [&](int exponent) {
+        const Points c1 = circle(0, 1, points, exponent), c2 = circle(distance, distance < 0.5 ? 0.5 : 1, 70, exponent);
+        return discretisation_error(overlay(CurveView{c1}, CurveView{c2}));
+      };
+      const Areas plain = estimate(0);
+      for (const int exponent : {-511, -505, -490, -300, 450}) {
+        const Areas scaled = estimate(exponent);
+        for (const auto member : {&Areas::c1, &Areas::c2, &Areas::intersection, &Areas::union_, &Areas::c1_minus_c2,
+                                  &Areas::c2_minus_c1, &Areas::symmetric_difference}) {
+          const double one = std::ldexp(1, 2 * exponent);
+          EXPECT_NEAR(scaled.*member, plain.*member * one, 1e-10 * plain.*member * one + 1e-14 * one)
+              << distance << ' ' << points << ' ' << exponent;
+        }
+      }
+    }
+  }
 }
 
 TEST(Extremes, CrossingsOfSegmentsLongerThanTheLargestDoubleHaveAPlace) {
