@@ -66,7 +66,7 @@ Outcome run_tangle(std::span<const Input> inputs, const Options& options, const 
 Operation tangle_operation() {
   Operation operation;
   operation.name = "tangle";
-  operation.revision = 3;  // bars of boundaries, and what the path that closes them hides
+  operation.revision = 4;  // bars of curves of few points
   operation.title = "pips, lobes, boundary and turnstile of an unstable and a stable manifold";
   operation.summary =
       "Finds the tangle of two manifolds, which are given as curves: primary intersection points, lobes, boundary and "

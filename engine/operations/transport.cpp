@@ -206,7 +206,7 @@ Outcome run(std::span<const Input> inputs, const Options& options, const Context
 Operation transport_operation() {
   Operation operation;
   operation.name = "transport";
-  operation.revision = 6;  // bars of boundaries that cross themselves
+  operation.revision = 7;  // bars of curves of few points
   operation.title = "transport across a boundary of a system, iterate by iterate: a(n) and T(n)";
   operation.summary =
       "Computes the transport across the boundary that a stable and an unstable manifold of a map make: grows them, "
