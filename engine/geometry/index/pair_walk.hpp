@@ -48,14 +48,10 @@ class NodeBoxes {
 template <typename Nodes>
 class PairWalk {
  public:
-  /// Both have to outlive the walk. A tree with itself has each pair of nodes once, and none between which there is
-  /// nothing (nothing_between).
-  PairWalk(const Nodes& first, const Nodes& second)
-      : first_(first),
-        second_(second),
-        is_self_(&first.tree() == &second.tree()),
-        stalls_(first.tree().stalls() || second.tree().stalls()),
-        tree_(second.tree().as_self()) {}
+  /// Two trees, or one as two. Both have to outlive the walk.
+  PairWalk(const Nodes& first, const Nodes& second) : PairWalk(first, second, false) {}
+  /// A tree with itself: each pair of nodes once, and none between which there is nothing (nothing_between).
+  explicit PairWalk(const Nodes& nodes) : PairWalk(nodes, nodes, true) {}
 
   /// Fills the lists of the nodes of `level` below `top`, which may lie above the root: the nodes of the second tree,
   /// out of those in `list` and below these, which they may meet as far as these tell: leaves, or such as are
@@ -64,6 +60,12 @@ class PairWalk {
                SearchCounts& counts) const;
 
  private:
+  PairWalk(const Nodes& first, const Nodes& second, bool is_self)
+      : first_(first),
+        second_(second),
+        is_self_(is_self),
+        stalls_(first.tree().stalls() || second.tree().stalls()),
+        tree_(second.tree().as_self()) {}
   void step_down(std::uint32_t level, const PairsByLevel& from, PairsByLevel& to, SearchCounts& counts) const;
   void drop_apart(PairList& near, std::size_t from, PairList& far, std::uint32_t level,
                   std::uint32_t second_level) const;

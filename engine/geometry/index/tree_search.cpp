@@ -40,10 +40,11 @@ struct Meeting {
   std::vector<TreeNode> list;
 };
 
-// The nodes that have children of even levels, as high as the root at least, and those of even levels at it.
+// Where walks begin: a node of an even level, at the root or above it, and so high that they go down from it, since
+// they split what is met on their way; and the nodes of even levels at the root or below it.
 TreeNode top_of(const BoxTree& tree) {
   const std::uint32_t level = tree.root().level;
-  return {level + level % 2, 0};
+  return {std::max(level + level % 2, levels_at_once), 0};
 }
 std::vector<TreeNode> roots_of(const BoxTree& tree) {
   const TreeNode root = tree.root();
@@ -177,8 +178,8 @@ SearchCounts search_tasks(const LeafSearch& search, const Walk& walk, std::span<
 }
 
 // The first tree is not higher than a task: then lists of tasks take longer than the rest, and nothing but boxes pays.
-SearchCounts search_small(const LeafSearch& search, const BoxTree& first, const BoxTree& second,
-                          PairConsumer& consumer) {
+SearchCounts search_small(const LeafSearch& search, const PairWalk<NodeBoxes>& by_boxes, const BoxTree& first,
+                          const BoxTree& second, PairConsumer& consumer) {
   SearchCounts counts;
   ++counts.boxes_tested;
   if (!meet(first.box(), second.box())) {
@@ -193,19 +194,17 @@ SearchCounts search_small(const LeafSearch& search, const BoxTree& first, const 
     counts.blocks_searched = 1;
     return counts;
   }
-  const NodeBoxes boxes1(first), boxes2(second);
-  const Meeting all{top_of(first), roots_of(second)};
-  counts += search_task(search, PairWalk<NodeBoxes>(boxes1, boxes2), all, first.leaves(), consumer);
+  counts += search_task(search, by_boxes, {top_of(first), roots_of(second)}, first.leaves(), consumer);
   return counts;
 }
 
 SearchCounts search_self(const BoxTree& tree, PairConsumer& consumer) {
   const LeafSearch search(tree, tree, true);
-  if (tree.root().level < task_level) return search_small(search, tree, tree, consumer);
+  const NodeBoxes boxes(tree);
+  const PairWalk<NodeBoxes> by_boxes(boxes);
+  if (tree.root().level < task_level) return search_small(search, by_boxes, tree, tree, consumer);
   SearchCounts counts;
   const Meeting all{top_of(tree), roots_of(tree)};
-  const NodeBoxes boxes(tree);
-  const PairWalk<NodeBoxes> by_boxes(boxes, boxes);
   // Where many boxes meet, the way down to all tasks is long.
   const auto task = [&](std::size_t index) { return task_below(by_boxes, all, index, counts); };
   const double a_leaf = boxes_a_leaf(by_boxes, tree.nodes(task_level), task, worth_windows, counts);
@@ -214,7 +213,7 @@ SearchCounts search_self(const BoxTree& tree, PairConsumer& consumer) {
     if (near.is_complete()) return search_leaves(search, near, tree, consumer, counts);
   }
   if (worth_frames(tree, tree, a_leaf * static_cast<double>(tree.leaves()))) {
-    const PairWalk<NodeFrames> by_frames(tree.make_frames(), tree.make_frames());
+    const PairWalk<NodeFrames> by_frames(tree.make_frames());
     return search_tasks(search, by_frames, meetings_below(by_frames, all, task_level, counts), tree, consumer, counts);
   }
   return search_tasks(search, by_boxes, meetings_below(by_boxes, all, task_level, counts), tree, consumer, counts);
@@ -222,10 +221,10 @@ SearchCounts search_self(const BoxTree& tree, PairConsumer& consumer) {
 
 SearchCounts search_two(const BoxTree& first, const BoxTree& second, PairConsumer& consumer) {
   const LeafSearch search(first, second, false);
-  if (first.root().level < task_level) return search_small(search, first, second, consumer);
-  SearchCounts counts;
   const NodeBoxes boxes1(first), boxes2(second);
   const PairWalk<NodeBoxes> by_boxes(boxes1, boxes2);
+  if (first.root().level < task_level) return search_small(search, by_boxes, first, second, consumer);
+  SearchCounts counts;
   const std::vector<Meeting> tasks = meetings_below(by_boxes, {top_of(first), roots_of(second)}, task_level, counts);
   const auto task = [&](std::size_t k) -> const Meeting& { return tasks[k]; };
   constexpr double no_bound = std::numeric_limits<double>::infinity();

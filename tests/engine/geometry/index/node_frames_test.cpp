@@ -33,7 +33,8 @@ Lists descended(const Framed& first, TreeNode top, std::uint32_t level, const Fr
                 const std::vector<TreeNode>& list) {
   MeetingLists met;
   SearchCounts counts;
-  PairWalk(first.frames, second.frames).go_down(top, level, list, met, counts);
+  const auto walk = &first == &second ? PairWalk(first.frames) : PairWalk(first.frames, second.frames);
+  walk.go_down(top, level, list, met, counts);
   Lists lists;
   for (std::uint32_t k = 0; k < met.size(); ++k) lists.emplace_back(met[k].begin(), met[k].end());
   return lists;
@@ -225,6 +226,23 @@ TEST(FoldedCurve, IsSearchedCompletelyForAnotherOne) {
     if (have_common_point(ends_of(curve, pair.first), ends_of(across, pair.second))) wanted.push_back(pair);
   }
   EXPECT_GT(wanted.size(), 10000U);
+  const auto lost = missing(wanted, by_tree.sorted());
+  EXPECT_TRUE(lost.empty()) << listed(lost);
+}
+
+// A curve may come twice, as two.
+TEST(FoldedCurve, IsSearchedCompletelyForItselfAsAnotherOne) {
+  const Curve curve = hairs();
+  const IndexedCurve indexed(curve);
+  indexed.tree().make_frames();
+  Recorder by_tree(curve, curve), by_grid(curve, curve);
+  (void)find_pairs(indexed, indexed, IndexKind::tree, by_tree);
+  (void)find_pairs(indexed, indexed, IndexKind::grid, by_grid);
+  std::vector<SegmentPair> wanted;
+  for (const SegmentPair& pair : by_grid.sorted()) {
+    if (have_common_point(ends_of(curve, pair.first), ends_of(curve, pair.second))) wanted.push_back(pair);
+  }
+  EXPECT_GT(wanted.size(), 3 * curve.points.size() - 10) << "each segment meets itself and its neighbours";
   const auto lost = missing(wanted, by_tree.sorted());
   EXPECT_TRUE(lost.empty()) << listed(lost);
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,15 +26,14 @@ std::vector<TreeNode> highest(const BoxTree& tree) {
   return {{root.level - 1, 0}, {root.level - 1, 1}};
 }
 TreeNode above_all(const BoxTree& tree) {
-  return {tree.root().level + tree.root().level % 2, 0};
+  return {std::max(tree.root().level + tree.root().level % 2, levels_at_once), 0};
 }
 
 template <typename Nodes>
-NodeLists below(const Nodes& first, TreeNode top, std::uint32_t level, const Nodes& second,
-                const std::vector<TreeNode>& list) {
+NodeLists below(const PairWalk<Nodes>& walk, TreeNode top, std::uint32_t level, const std::vector<TreeNode>& list) {
   MeetingLists met;
   SearchCounts counts;
-  PairWalk(first, second).go_down(top, level, list, met, counts);
+  walk.go_down(top, level, list, met, counts);
   NodeLists lists;
   for (std::uint32_t k = 0; k < met.size(); ++k) {
     lists.emplace_back(met[k].begin(), met[k].end());
@@ -43,24 +43,47 @@ NodeLists below(const Nodes& first, TreeNode top, std::uint32_t level, const Nod
   return lists;
 }
 template <typename Nodes>
-NodeLists leaves_of(const Nodes& first, const Nodes& second) {
-  return below(first, above_all(first.tree()), 0, second, highest(second.tree()));
+NodeLists leaves_of(const PairWalk<Nodes>& walk, const BoxTree& first, const BoxTree& second) {
+  return below(walk, above_all(first), 0, highest(second));
 }
 
 // Two levels at a time.
 template <typename Nodes>
-NodeLists leaves_step_by_step(const Nodes& first, const Nodes& second) {
-  NodeLists lists{highest(second.tree())};
-  for (std::uint32_t level = above_all(first.tree()).level; level > 0; level -= levels_at_once) {
+NodeLists leaves_step_by_step(const PairWalk<Nodes>& walk, const BoxTree& first, const BoxTree& second) {
+  NodeLists lists{highest(second)};
+  for (std::uint32_t level = above_all(first).level; level > 0; level -= levels_at_once) {
     NodeLists next;
     for (std::uint32_t k = 0; k < lists.size(); ++k) {
-      for (auto& list : below(first, {level, k}, level - levels_at_once, second, lists[k])) {
-        next.push_back(std::move(list));
-      }
+      for (auto& list : below(walk, {level, k}, level - levels_at_once, lists[k])) next.push_back(std::move(list));
     }
     lists = std::move(next);
   }
   return lists;
+}
+
+// A tree of one leaf against larger ones.
+TEST(PairWalk, SplitsWhatOneLeafMeets) {
+  Curve triangle;
+  triangle.closed = true;
+  triangle.points = {{-2, -0.1}, {2, 0}, {-2, 0.1}};
+  for (const int size : {100, 1000, 1100, 3000, 20000}) {
+    Curve wave;
+    wave.closed = false;
+    for (int k = 0; k <= size; ++k) wave.points.push_back({std::cos(k * 0.7), std::sin(k * 0.7)});
+    for (const auto& [first, second] : {std::pair(triangle, wave), std::pair(wave, triangle)}) {
+      const IndexedCurve one(first), two(second);
+      Recorder by_tree(first, second), by_grid(first, second);
+      (void)find_pairs(one, two, IndexKind::tree, by_tree);
+      (void)find_pairs(one, two, IndexKind::grid, by_grid);
+      std::vector<SegmentPair> wanted;
+      for (const SegmentPair& pair : by_grid.sorted()) {
+        if (have_common_point(ends_of(first, pair.first), ends_of(second, pair.second))) wanted.push_back(pair);
+      }
+      EXPECT_GT(wanted.size(), 10U);
+      const auto lost = missing(wanted, by_tree.sorted());
+      EXPECT_TRUE(lost.empty()) << size << ": " << listed(lost);
+    }
+  }
 }
 
 class PairWalks : public ::testing::TestWithParam<SceneKind> {
@@ -72,29 +95,33 @@ class PairWalks : public ::testing::TestWithParam<SceneKind> {
   Scene made_;
 };
 
-// By boxes every two leaves whose boxes meet come out, no others: what holds them meets, too.
+// By boxes every two leaves whose boxes meet come out, no others: what holds them meets, too. The trees may be one.
 TEST_P(PairWalks, BoxesFindWhatMeets) {
   const BoxTree one{CurveView(made_.first)}, two{CurveView(made_.second)};
   if (one.stalls() || two.stalls()) return;  // there leaves that are points are left out
-  const NodeLists found = leaves_of(NodeBoxes(one), NodeBoxes(two));
-  for (std::uint32_t k = 0; k < one.leaves(); ++k) {
-    std::vector<TreeNode> wanted;
-    for (std::uint32_t j = 0; j < two.leaves(); ++j) {
-      if (meet(one.leaf_boxes()[k], two.leaf_boxes()[j])) wanted.push_back({0, j});
+  const NodeBoxes boxes(one);
+  for (const BoxTree* other : {&one, &two}) {
+    const NodeBoxes others(*other);
+    const NodeLists found = leaves_of(PairWalk(boxes, others), one, *other);
+    for (std::uint32_t k = 0; k < one.leaves(); ++k) {
+      std::vector<TreeNode> wanted;
+      for (std::uint32_t j = 0; j < other->leaves(); ++j) {
+        if (meet(one.leaf_boxes()[k], other->leaf_boxes()[j])) wanted.push_back({0, j});
+      }
+      ASSERT_EQ(found[k], wanted) << k;
     }
-    ASSERT_EQ(found[k], wanted) << k;
+    for (std::size_t k = one.leaves(); k < found.size(); ++k) ASSERT_TRUE(found[k].empty()) << k;
   }
-  for (std::size_t k = one.leaves(); k < found.size(); ++k) ASSERT_TRUE(found[k].empty()) << k;
 }
 
 template <typename Nodes>
-void expect_same_in_steps(const Nodes& first, const Nodes& second) {
-  const NodeLists at_once = leaves_of(first, second);
-  ASSERT_EQ(at_once, leaves_step_by_step(first, second));
+void expect_same_in_steps(const PairWalk<Nodes>& walk, const BoxTree& first, const BoxTree& second) {
+  const NodeLists at_once = leaves_of(walk, first, second);
+  ASSERT_EQ(at_once, leaves_step_by_step(walk, first, second));
   if (!has_avx2()) return;
   const InstructionSet before = instruction_set();
   limit_instruction_set(InstructionSet::baseline);
-  const NodeLists baseline = leaves_of(first, second);
+  const NodeLists baseline = leaves_of(walk, first, second);
   limit_instruction_set(before);
   ASSERT_EQ(at_once, baseline) << "the copies of a kernel should do the same";
 }
@@ -102,12 +129,13 @@ void expect_same_in_steps(const Nodes& first, const Nodes& second) {
 TEST_P(PairWalks, AllWaysDownLeadToTheSame) {
   const BoxTree one{CurveView(made_.first)}, two{CurveView(made_.second)};
   const NodeBoxes boxes1(one), boxes2(two);
-  expect_same_in_steps(boxes1, boxes2);
-  expect_same_in_steps(boxes1, boxes1);
+  expect_same_in_steps(PairWalk(boxes1, boxes2), one, two);
+  expect_same_in_steps(PairWalk(boxes1), one, one);
   const NodeFrames frames1(one), frames2(two);
-  expect_same_in_steps(frames1, frames2);
-  expect_same_in_steps(frames1, frames1);
-  expect_same_in_steps(NodeStrips(one), NodeStrips(two));
+  expect_same_in_steps(PairWalk(frames1, frames2), one, two);
+  expect_same_in_steps(PairWalk(frames1), one, one);
+  const NodeStrips strips1(one), strips2(two);
+  expect_same_in_steps(PairWalk(strips1, strips2), one, two);
 }
 INSTANTIATE_TEST_SUITE_P(Scenes, PairWalks, ::testing::ValuesIn(scene_kinds()),
                          [](const auto& kind) { return std::string(kind.param.name); });
