@@ -31,6 +31,11 @@ struct PairsByLevel {
     *pairs.room_for(1) = {first.index, second.index};
     ++pairs.count;
   }
+  [[nodiscard]] std::size_t count() const {
+    std::size_t sum = 0;
+    for_each_list([&](const PairList& pairs, std::uint32_t) { sum += pairs.count; });
+    return sum;
+  }
   // Calls visit(pairs, level of the second nodes).
   template <typename Visit>
   void for_each_list(const Visit& visit) const {
@@ -119,20 +124,22 @@ void PairWalk<Nodes>::step_down(std::uint32_t level, const PairsByLevel& from, P
 }
 
 template <typename Nodes>
-void PairWalk<Nodes>::go_down(TreeNode top, std::uint32_t level, std::span<const TreeNode> list, MeetingLists& lists,
-                              SearchCounts& counts) const {
+std::uint32_t PairWalk<Nodes>::go_down(TreeNode top, std::uint32_t level, std::span<const TreeNode> list,
+                                       std::size_t enough, MeetingLists& lists, SearchCounts& counts) const {
   thread_local std::array<PairsByLevel, 2> pairs;
   PairsByLevel *now = pairs.data(), *next = now + 1;
   std::size_t levels = 0;
   for (const TreeNode node : list) levels = std::max<std::size_t>(levels, node.level / 2 + 1);
   now->clear(levels);
   for (const TreeNode node : list) now->add(top, node, !is_far(top, node));
-  for (std::uint32_t above = top.level; above > level; above -= levels_at_once) {
-    step_down(above - levels_at_once, *now, *next, counts);
+  std::uint32_t here = top.level;
+  do {
+    here -= levels_at_once;
+    step_down(here, *now, *next, counts);
     std::swap(now, next);
-  }
-  const std::uint32_t begin = top.index << (top.level - level);
-  lists.end_.assign(std::size_t{1} << (top.level - level), 0);
+  } while (here > level && now->count() <= enough);
+  const std::uint32_t begin = top.index << (top.level - here);
+  lists.end_.assign(std::size_t{1} << (top.level - here), 0);
   now->for_each_list([&](const PairList& found, std::uint32_t) {
     for (std::size_t k = 0; k < found.count; ++k) ++lists.end_[found.pair[k].first - begin];
   });
@@ -145,6 +152,7 @@ void PairWalk<Nodes>::go_down(TreeNode top, std::uint32_t level, std::span<const
       lists.met_[lists.end_[pair.first - begin]++] = {second_level, pair.second};
     }
   });
+  return here;
 }
 
 template class PairWalk<NodeBoxes>;

@@ -52,11 +52,16 @@ std::vector<TreeNode> roots_of(const BoxTree& tree) {
   return {{root.level - 1, 0}, {root.level - 1, 1}};
 }
 
-// The nodes of a level below another one that meet anything.
+// More pairs than these are not held at once on the way down to leaves: they may be most of all pairs of leaves.
+constexpr std::size_t pairs_at_once = std::size_t{1} << 16;
+constexpr std::size_t all_pairs = std::numeric_limits<std::size_t>::max();
+
+// The nodes of a level, at or below another one, that meet anything.
 template <typename Walk>
 std::vector<Meeting> meetings_below(const Walk& walk, const Meeting& from, std::uint32_t level, SearchCounts& counts) {
+  if (from.node.level == level) return {from};
   MeetingLists lists;
-  walk.go_down(from.node, level, from.list, lists, counts);
+  walk.go_down(from.node, level, from.list, all_pairs, lists, counts);
   std::vector<Meeting> met;
   const std::uint32_t begin = from.node.index << (from.node.level - level);
   for (std::uint32_t k = 0; k < lists.size(); ++k) {
@@ -72,7 +77,7 @@ Meeting task_below(const Walk& walk, Meeting from, std::size_t index, SearchCoun
   while (from.node.level > task_level) {
     const std::uint32_t level = from.node.level - levels_at_once;
     const auto number = static_cast<std::uint32_t>(index >> (level - task_level));
-    walk.go_down(from.node, level, from.list, lists, counts);
+    walk.go_down(from.node, level, from.list, all_pairs, lists, counts);
     const auto list = lists[number - (from.node.index << levels_at_once)];
     from = {{level, number}, {list.begin(), list.end()}};
   }
@@ -98,7 +103,7 @@ double boxes_a_leaf(const Walk& walk, std::size_t tasks, const auto& meeting_of,
     if (parts.empty()) continue;
     MeetingLists below;
     const Meeting& part = parts[parts.size() * ((5 * k + 4) % 8) / 8];  // another place in each
-    walk.go_down(part.node, 0, part.list, below, rest);
+    walk.go_down(part.node, 0, part.list, pairs_at_once, below, rest);
     counts += rest;
     boxes += static_cast<double>(rest.boxes_tested) + static_cast<double>(way.boxes_tested >> (task_level - level));
     leaves += std::size_t{1} << level;
@@ -143,35 +148,62 @@ SearchCounts search_leaves(const LeafSearch& search, const NearLeaves& near, con
   return counts;
 }
 
-// The pairs of all leaves below a task, which is one node or more than one block.
+// The pairs of all leaves below a task.
 template <typename Walk>
-SearchCounts search_task(const LeafSearch& search, const Walk& walk, const Meeting& task, std::size_t leaf_count,
-                         PairConsumer& consumer) {
-  MeetingLists leaves;
-  LeafSearch::Scratch scratch;
-  walk.go_down(task.node, 0, task.list, leaves, scratch.counts);
-  const std::uint32_t begin = task.node.index << task.node.level;
-  const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(leaves.size(), leaf_count - begin));
-  constexpr std::uint32_t in_block = 1U << block_level;
-  for (std::uint32_t first = 0; first < end; first += in_block) {
-    const std::uint32_t block = (begin + first) >> block_level;
-    scratch.skip_before = 0;
-    for (std::uint32_t k = first; k < std::min(end, first + in_block) && consumer.wants(block); ++k) {
-      search.search(begin + k, leaves[k], block, consumer, scratch);
-    }
-    consumer.finish(block);
-    ++scratch.counts.blocks_searched;
+class TaskSearch {
+ public:
+  TaskSearch(const LeafSearch& search, const Walk& walk, PairConsumer& consumer)
+      : search_(search), walk_(walk), consumer_(consumer) {}
+
+  SearchCounts operator()(const Meeting& task) {
+    go_down(task.node, task.list);
+    leave_block();
+    return scratch_.counts;
   }
-  return scratch.counts;
-}
+
+ private:
+  void go_down(TreeNode node, std::span<const TreeNode> list) {
+    MeetingLists lists;
+    const std::uint32_t level = walk_.go_down(node, 0, list, pairs_at_once, lists, scratch_.counts);
+    const std::uint32_t begin = node.index << (node.level - level);
+    for (std::uint32_t k = 0; k < lists.size(); ++k) {
+      if (lists[k].empty()) continue;
+      if (level == 0) {
+        search_leaf(begin + k, lists[k]);
+      } else if (level > block_level || consumer_.wants((begin + k) << level >> block_level)) {
+        go_down({level, begin + k}, lists[k]);
+      }
+    }
+  }
+  void search_leaf(std::uint32_t leaf, std::span<const TreeNode> list) {
+    const std::uint32_t block = leaf >> block_level;
+    if (block != block_) {
+      leave_block();
+      block_ = block;
+      scratch_.skip_before = 0;
+    }
+    if (consumer_.wants(block)) search_.search(leaf, list, block, consumer_, scratch_);
+  }
+  void leave_block() {
+    if (block_ == no_block) return;
+    consumer_.finish(block_);
+    ++scratch_.counts.blocks_searched;
+  }
+
+  static constexpr std::uint32_t no_block = std::numeric_limits<std::uint32_t>::max();
+  const LeafSearch& search_;
+  const Walk& walk_;
+  PairConsumer& consumer_;
+  LeafSearch::Scratch scratch_;
+  std::uint32_t block_ = no_block;
+};
 
 template <typename Walk>
 SearchCounts search_tasks(const LeafSearch& search, const Walk& walk, std::span<const Meeting> tasks,
                           const BoxTree& first, PairConsumer& consumer, SearchCounts counts) {
   std::vector<SearchCounts> task_counts(tasks.size());
-  for_each_block(tasks.size(), 1, [&](std::size_t k, std::size_t) {
-    task_counts[k] = search_task(search, walk, tasks[k], first.leaves(), consumer);
-  });
+  for_each_block(tasks.size(), 1,
+                 [&](std::size_t k, std::size_t) { task_counts[k] = TaskSearch(search, walk, consumer)(tasks[k]); });
   for (const SearchCounts& task : task_counts) counts += task;
   counts.blocks_skipped = first.nodes(block_level) - counts.blocks_searched;
   return counts;
@@ -194,7 +226,8 @@ SearchCounts search_small(const LeafSearch& search, const PairWalk<NodeBoxes>& b
     counts.blocks_searched = 1;
     return counts;
   }
-  counts += search_task(search, by_boxes, {top_of(first), roots_of(second)}, first.leaves(), consumer);
+  counts += TaskSearch(search, by_boxes, consumer)({top_of(first), roots_of(second)});
+  counts.blocks_skipped = first.nodes(std::min(block_level, first.levels() - 1)) - counts.blocks_searched;
   return counts;
 }
 

@@ -34,7 +34,7 @@ Lists descended(const Framed& first, TreeNode top, std::uint32_t level, const Fr
   MeetingLists met;
   SearchCounts counts;
   const auto walk = &first == &second ? PairWalk(first.frames) : PairWalk(first.frames, second.frames);
-  walk.go_down(top, level, list, met, counts);
+  walk.go_down(top, level, list, std::size_t{1} << 32, met, counts);
   Lists lists;
   for (std::uint32_t k = 0; k < met.size(); ++k) lists.emplace_back(met[k].begin(), met[k].end());
   return lists;

@@ -17,6 +17,8 @@ namespace lober::test {
 using namespace lober::detail;
 namespace {
 
+constexpr std::size_t all_pairs = std::size_t{1} << 32;
+
 using NodeLists = std::vector<std::vector<TreeNode>>;
 
 // The nodes of even levels at the root or below it.
@@ -33,7 +35,7 @@ template <typename Nodes>
 NodeLists below(const PairWalk<Nodes>& walk, TreeNode top, std::uint32_t level, const std::vector<TreeNode>& list) {
   MeetingLists met;
   SearchCounts counts;
-  walk.go_down(top, level, list, met, counts);
+  EXPECT_EQ(walk.go_down(top, level, list, all_pairs, met, counts), level);
   NodeLists lists;
   for (std::uint32_t k = 0; k < met.size(); ++k) {
     lists.emplace_back(met[k].begin(), met[k].end());
@@ -59,6 +61,25 @@ NodeLists leaves_step_by_step(const PairWalk<Nodes>& walk, const BoxTree& first,
     lists = std::move(next);
   }
   return lists;
+}
+
+// Segments at random over all of the plane: each leaf meets each, and all pairs of them are too many to be held. The
+// first one tells that the curve crosses itself.
+TEST(PairWalk, EndsWherePairsAreTooMany) {
+  Random random(seed());
+  Curve scribble;
+  scribble.closed = false;
+  for (int k = 0; k < 200'000; ++k) scribble.points.push_back({random.uniform(0, 1), random.uniform(0, 1)});
+  const BoxTree tree{CurveView(scribble)};
+  const NodeBoxes boxes(tree);
+  MeetingLists lists;
+  SearchCounts counts;
+  const TreeNode top = above_all(tree);
+  const std::uint32_t level = PairWalk(boxes).go_down(top, 0, highest(tree), 1000, lists, counts);
+  EXPECT_GT(level, 0U);
+  EXPECT_EQ(lists.size(), 1U << (top.level - level));
+  EXPECT_LT(counts.boxes_tested, 100'000U);
+  EXPECT_THROW(require_simple(IndexedCurve(scribble), 1), NotSimpleError);
 }
 
 // A tree of one leaf against larger ones.
