@@ -217,17 +217,8 @@ TEST(FoldedCurve, IsSearchedCompletelyForAnotherOne) {
   Curve across = curve;  // bundles across bundles
   for (Point& p : across.points) p = {0.3 + 0.9 * p.y - 0.2 * p.x, 0.4 + 0.8 * p.x};
   const IndexedCurve first(curve), second(across);
-  Recorder by_tree(curve, across), by_grid(curve, across);
-  (void)find_pairs(first, second, IndexKind::tree, by_tree);
-  ASSERT_TRUE(first.tree().frames() != nullptr && second.tree().frames() != nullptr) << "frames should have served";
-  (void)find_pairs(first, second, IndexKind::grid, by_grid);
-  std::vector<SegmentPair> wanted;
-  for (const SegmentPair& pair : by_grid.sorted()) {
-    if (have_common_point(ends_of(curve, pair.first), ends_of(across, pair.second))) wanted.push_back(pair);
-  }
-  EXPECT_GT(wanted.size(), 10000U);
-  const auto lost = missing(wanted, by_tree.sorted());
-  EXPECT_TRUE(lost.empty()) << listed(lost);
+  expect_complete_search(first, second, 10'000);
+  EXPECT_TRUE(first.tree().frames() != nullptr && second.tree().frames() != nullptr) << "frames should have served";
 }
 
 // A curve may come twice, as two.
@@ -235,16 +226,7 @@ TEST(FoldedCurve, IsSearchedCompletelyForItselfAsAnotherOne) {
   const Curve curve = hairs();
   const IndexedCurve indexed(curve);
   indexed.tree().make_frames();
-  Recorder by_tree(curve, curve), by_grid(curve, curve);
-  (void)find_pairs(indexed, indexed, IndexKind::tree, by_tree);
-  (void)find_pairs(indexed, indexed, IndexKind::grid, by_grid);
-  std::vector<SegmentPair> wanted;
-  for (const SegmentPair& pair : by_grid.sorted()) {
-    if (have_common_point(ends_of(curve, pair.first), ends_of(curve, pair.second))) wanted.push_back(pair);
-  }
-  EXPECT_GT(wanted.size(), 3 * curve.points.size() - 10) << "each segment meets itself and its neighbours";
-  const auto lost = missing(wanted, by_tree.sorted());
-  EXPECT_TRUE(lost.empty()) << listed(lost);
+  expect_complete_search(indexed, indexed, 3 * curve.points.size() - 10);  // itself and its neighbours
 }
 
 // Where both stay in one point, each leaf there would meet each.

@@ -92,17 +92,8 @@ TEST(PairWalk, SplitsWhatOneLeafMeets) {
     wave.closed = false;
     for (int k = 0; k <= size; ++k) wave.points.push_back({std::cos(k * 0.7), std::sin(k * 0.7)});
     for (const auto& [first, second] : {std::pair(triangle, wave), std::pair(wave, triangle)}) {
-      const IndexedCurve one(first), two(second);
-      Recorder by_tree(first, second), by_grid(first, second);
-      (void)find_pairs(one, two, IndexKind::tree, by_tree);
-      (void)find_pairs(one, two, IndexKind::grid, by_grid);
-      std::vector<SegmentPair> wanted;
-      for (const SegmentPair& pair : by_grid.sorted()) {
-        if (have_common_point(ends_of(first, pair.first), ends_of(second, pair.second))) wanted.push_back(pair);
-      }
-      EXPECT_GT(wanted.size(), 10U);
-      const auto lost = missing(wanted, by_tree.sorted());
-      EXPECT_TRUE(lost.empty()) << size << ": " << listed(lost);
+      SCOPED_TRACE(size);
+      expect_complete_search(IndexedCurve(first), IndexedCurve(second), 10);
     }
   }
 }

@@ -153,4 +153,21 @@ inline bool same(const SearchCounts& a, const SearchCounts& b) {
          a.blocks_searched == b.blocks_searched && a.blocks_skipped == b.blocks_skipped;
 }
 
+/// Expects of the search by trees all pairs of segments with a common point that the one by a grid finds, which are to
+/// be at least that many.
+inline void expect_complete_search(const IndexedCurve& first, const IndexedCurve& second, std::size_t at_least) {
+  Recorder by_tree(first.view(), second.view()), by_grid(first.view(), second.view());
+  (void)find_pairs(first, second, IndexKind::tree, by_tree);
+  (void)find_pairs(first, second, IndexKind::grid, by_grid);
+  std::vector<SegmentPair> wanted;
+  for (const SegmentPair& pair : by_grid.sorted()) {
+    if (have_common_point(ends_of(first.view(), pair.first), ends_of(second.view(), pair.second))) {
+      wanted.push_back(pair);
+    }
+  }
+  EXPECT_GE(wanted.size(), at_least);
+  const auto lost = missing(wanted, by_tree.sorted());
+  EXPECT_TRUE(lost.empty()) << listed(lost);
+}
+
 }  // namespace lober::test
