@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "kernels/cpu.hpp"
+#include "lober/overlay/crossings.hpp"
 #include "tests/engine/geometry/index/scenes.hpp"
 #include "tests/engine/geometry/index/search_testing.hpp"
 
