@@ -59,7 +59,7 @@ constexpr std::size_t all_pairs = std::numeric_limits<std::size_t>::max();
 // The nodes of a level, at or below another one, that meet anything.
 template <typename Walk>
 std::vector<Meeting> meetings_below(const Walk& walk, const Meeting& from, std::uint32_t level, SearchCounts& counts) {
-  if (from.node.level == level) return {from};
+  if (from.node.level <= level) return {from};
   MeetingLists lists;
   walk.go_down(from.node, level, from.list, all_pairs, lists, counts);
   std::vector<Meeting> met;
