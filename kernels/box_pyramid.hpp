@@ -53,7 +53,7 @@ struct NodePair {
 enum class Keep {
   all,
   none,
-  level,  ///< those of which the second is no larger
+  level,  ///< those of which the second is at most as large as the first
 };
 
 /// The boxes of all nodes of a level, and how many they are. Three boxes behind the last must be readable.

@@ -62,7 +62,7 @@ struct SmoothSegment {
 /// times the square of the larger turn at an end, where some of those are of no use either; and rounding, that of the
 /// vertices given too. Where the segment stays straight it is the size of the chord-to-arc area that was rejected, or
 /// that its turns let expect, none at corners. Beside a corner or two that may be the spike of a thin shape, with few
-/// vertices, it is no less than the difference to the area of a parabola that the chords beside the segment touch.
+/// vertices, it is at least the difference to the area of a parabola that the chords beside the segment touch.
 /// Plain double; 300 operations. One window takes as long as four do.
 [[nodiscard]] SmoothSegment fit_smooth_segment(const std::array<Point, 8>& p);
 

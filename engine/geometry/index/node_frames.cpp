@@ -63,20 +63,19 @@ std::size_t NodeFrames::memory(const BoxTree& tree) {
 }
 
 NodeFrames::NodeFrames(const BoxTree& tree) : tree_(tree) {
-  const auto fours = [&](std::uint32_t level) { return fours_of(tree, level); };
   std::size_t total = 0;
   for (std::uint32_t level = 0; level < tree.levels(); level += levels_at_once) {
     begin_[level / levels_at_once] = static_cast<std::uint32_t>(total);
-    total += fours(level);
+    total += fours_of(tree, level);
   }
   frames_.resize(total);
-  for_each_block(fours(0), 256, [&](std::size_t begin, std::size_t end) {
+  for_each_block(fours_of(tree, 0), 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) make_frames_of_leaves(tree, nodes_at_once * k, frames_[k]);
   });
   for (std::uint32_t level = levels_at_once; level < tree.levels(); level += levels_at_once) {
     const FourFrames* const below = &frames_[begin_[level / levels_at_once - 1]];
     FourFrames* const here = &frames_[begin_[level / levels_at_once]];
-    for_each_block(fours(level), 256, [&](std::size_t begin, std::size_t end) {
+    for_each_block(fours_of(tree, level), 256, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) make_frames_above(tree, level, nodes_at_once * k, below, here[k]);
     });
   }

@@ -54,10 +54,10 @@ class PairWalk {
   explicit PairWalk(const Nodes& nodes) : PairWalk(nodes, nodes, true) {}
 
   /// Fills the lists of the nodes of `level` below `top`, which may lie above the root: the nodes of the second tree,
-  /// out of those in `list` and below these, which they may meet as far as these tell: leaves, or such as are no larger
-  /// than the node if that is none. All levels are even, and `level` is lower than that of `top`. Ends earlier, two
-  /// levels below `top` at the earliest, where there are more than `enough` pairs. Returns the level that it came to.
-  /// Adds the number of boxes, frames and strips tested.
+  /// out of those in `list` and below these, which they may meet as far as these tell: leaves, or such as are at most
+  /// as large as the node where that is not a leaf. All levels are even, and `level` is lower than that of `top`. Ends
+  /// earlier, two levels below `top` at the earliest, where there are more than `enough` pairs. Returns the level that
+  /// it came to. Adds the number of boxes, frames and strips tested.
   std::uint32_t go_down(TreeNode top, std::uint32_t level, std::span<const TreeNode> list, std::size_t enough,
                         MeetingLists& lists, SearchCounts& counts) const;
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,6 +32,10 @@ constexpr double worth_windows = 250, worth_strips = 120, boxes_a_frame = 6.5, b
 // Strips of two curves stay if with them no more than this part of the boxes is tested: where bundles of folds lie
 // across each other they tell nothing apart.
 constexpr double part_with_strips = 0.4;
+
+std::size_t blocks_of(const BoxTree& tree) {
+  return tree.nodes(std::min(block_level, tree.levels() - 1));
+}
 
 // A node of the first tree with the nodes of the second that it meets.
 struct Meeting {
@@ -124,7 +127,7 @@ SearchCounts search_leaves(const LeafSearch& search, const NearLeaves& near, con
                            PairConsumer& consumer, SearchCounts counts) {
   const std::size_t leaves = tree.leaves();
   constexpr std::size_t in_block = std::size_t{1} << block_level;
-  const std::size_t blocks = (leaves + in_block - 1) / in_block;
+  const std::size_t blocks = blocks_of(tree);
   std::vector<SearchCounts> block_counts(blocks);
   for_each_block(blocks, 1, [&](std::size_t block, std::size_t) {
     LeafSearch::Scratch scratch;
@@ -205,7 +208,7 @@ SearchCounts search_tasks(const LeafSearch& search, const Walk& walk, std::span<
   for_each_block(tasks.size(), 1,
                  [&](std::size_t k, std::size_t) { task_counts[k] = TaskSearch(search, walk, consumer)(tasks[k]); });
   for (const SearchCounts& task : task_counts) counts += task;
-  counts.blocks_skipped = first.nodes(block_level) - counts.blocks_searched;
+  counts.blocks_skipped = blocks_of(first) - counts.blocks_searched;
   return counts;
 }
 
@@ -215,7 +218,7 @@ SearchCounts search_small(const LeafSearch& search, const PairWalk<NodeBoxes>& b
   SearchCounts counts;
   ++counts.boxes_tested;
   if (!meet(first.box(), second.box())) {
-    counts.blocks_skipped = first.nodes(std::min(block_level, first.levels() - 1));
+    counts.blocks_skipped = blocks_of(first);
     return counts;
   }
   if (search.has_few_leaves()) {
@@ -227,7 +230,7 @@ SearchCounts search_small(const LeafSearch& search, const PairWalk<NodeBoxes>& b
     return counts;
   }
   counts += TaskSearch(search, by_boxes, consumer)({top_of(first), roots_of(second)});
-  counts.blocks_skipped = first.nodes(std::min(block_level, first.levels() - 1)) - counts.blocks_searched;
+  counts.blocks_skipped = blocks_of(first) - counts.blocks_searched;
   return counts;
 }
 

@@ -61,7 +61,7 @@ double bend_by_turns(const Point* points, std::size_t count) {
 }
 
 // A bound of the distance of points from the chord between the first and the last one. A fold leads beyond the ends of
-// the chord, where its line is no measure of that: by no more than the diagonal of the points' box is longer.
+// the chord, where its line does not measure that: by as much at most as the diagonal of the points' box is longer.
 double distance_from_chord(const Point* points, std::size_t count, double diagonal) {
   const Point from = points[0], along = points[count - 1] - from;
   const double square = dot(along, along);
