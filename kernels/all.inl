@@ -32,8 +32,6 @@
 namespace lober::detail {
 
 const KernelTable LOBER_KERNELS{
-    .distribute = distribute_nodes,
-    .refine = refine_nodes,
     .follow_ray = follow_ray_down,
     .crossings_of_height = crossings_of_leaf,
     .chebyshev_points = evaluate_chebyshev,

@@ -1,10 +1,9 @@
-// Lists of tree nodes whose boxes meet given ones: the inner loops of a walk of two box trees against each other.
+// Pairs of tree nodes whose boxes meet: the inner loops of a walk of two box trees against each other.
 //
 // Whether boxes meet is as good as random there, so nothing branches on it: every candidate is written to the end of
 // the list, which grows by one or by nothing.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -31,13 +30,7 @@ struct BoxPyramid {
 inline constexpr std::uint32_t levels_at_once = 2;
 inline constexpr std::size_t nodes_at_once = std::size_t{1} << levels_at_once;
 
-/// Sorts the `count` nodes of `list` by which of the boxes four[0 .. boxes - 1] they meet (some, none or all):
-/// those that meet box i go to met[i], in order, and met_count[i] says how many. Room for `count` + 1 is needed in
-/// each; four[boxes .. 3] must be readable.
-void distribute(const Box* four, std::size_t boxes, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
-                const std::array<TreeNode*, nodes_at_once>& met, std::array<std::size_t, nodes_at_once>& met_count);
-
-/// The numbers of nodes that went to each list.
+/// The numbers of pairs that went to each list.
 struct SplitCounts {
   std::size_t kept = 0;
   std::size_t split = 0;
@@ -68,10 +61,5 @@ SplitCounts pairs_below_first(BoxLevel first, BoxLevel second, const NodePair* p
                               NodePair* kept, NodePair* split);
 SplitCounts pairs_below_second(BoxLevel first, BoxLevel second, const NodePair* pairs, std::size_t count, Keep keep,
                                NodePair* kept, NodePair* split);
-
-/// The nodes of `list` that are leaves or no larger than `largest` (by extent) go to `kept`; of the others, those up to
-/// four nodes below them that meet `box` go to `split`. Room for `count` + 1 and 4 `count` + 1 is needed.
-SplitCounts refine(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
-                   TreeNode* kept, TreeNode* split);
 
 }  // namespace lober::detail

@@ -8,16 +8,6 @@ namespace lober::detail {
 
 static_assert(leaf_size == 32, "a leaf's segments are the bits of a 32-bit word");
 
-void distribute(const Box* four, std::size_t boxes, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
-                const std::array<TreeNode*, nodes_at_once>& met, std::array<std::size_t, nodes_at_once>& met_count) {
-  kernels().distribute(four, boxes, pyramid, list, count, met.data(), met_count.data());
-}
-
-SplitCounts refine(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
-                   TreeNode* kept, TreeNode* split) {
-  return kernels().refine(box, largest, pyramid, list, count, kept, split);
-}
-
 RayProgress follow_ray(Point point, const RayTree& tree, std::uint32_t level, std::uint32_t* list, std::size_t count) {
   return kernels().follow_ray(point, tree, level, list, count);
 }

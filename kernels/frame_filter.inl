@@ -4,7 +4,7 @@
 #include "kernels/eight.hpp"
 #include "kernels/fetch.hpp"
 #include "kernels/frame_filter.hpp"
-#include "kernels/node_lanes.inl"
+#include "kernels/pair_lanes.inl"
 
 namespace lober::detail {
 namespace {
@@ -128,7 +128,7 @@ inline unsigned may_meet(const FrameLanes& a, const FrameLanes& b) {
   return 15U & ~(mask_bits(beside_a > reach_a) | mask_bits(beside_b > reach_b) | mask_bits(along_a > reach_along));
 }
 
-// Kernels of pairs (kernels/node_lanes.inl).
+// Kernels of pairs (kernels/pair_lanes.inl).
 struct FramePairs {
   using Level = FramedLevel;
   FrameLanes a, b;

@@ -31,10 +31,6 @@ namespace lober::detail {
 
 /// Each is described where the function of its name is declared; those without one are parts of such functions.
 struct KernelTable {
-  void (*distribute)(const Box* four, std::size_t boxes, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
-                     TreeNode* const* met, std::size_t* met_count);
-  SplitCounts (*refine)(const Box& box, double largest, BoxPyramid pyramid, const TreeNode* list, std::size_t count,
-                        TreeNode* kept, TreeNode* split);
   RayProgress (*follow_ray)(Point point, const RayTree& tree, std::uint32_t level, std::uint32_t* list,
                             std::size_t count);
   HeightCrossings (*crossings_of_height)(const Point* points, Point point);

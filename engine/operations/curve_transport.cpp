@@ -83,7 +83,7 @@ Outcome run_curve_transport(std::span<const Input> inputs, const Options& option
 Operation curve_transport_operation() {
   Operation operation;
   operation.name = "curve_transport";
-  operation.revision = 4;  // bars of curves of few points
+  operation.revision = 5;  // sums of hidden areas in another order
   operation.title = "transport across the boundary of two manifolds that are given as curves";
   operation.summary =
       "Computes the transport across the boundary of two manifolds that are given as curves: the fluxes a(n) and T(n) "

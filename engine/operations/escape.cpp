@@ -133,7 +133,7 @@ Outcome run_escape(std::span<const Input> inputs, const Options& options, const 
 Operation escape_operation() {
   Operation operation;
   operation.name = "escape";
-  operation.revision = 7;  // bars of curves of few points
+  operation.revision = 8;  // sums of hidden areas in another order
   operation.title = "escape from a potential well by its bottlenecks, crossing by crossing";
   operation.summary =
       "Computes the escape from a potential well: the periodic orbits of its bottlenecks, their tubes on a section, "

@@ -106,7 +106,7 @@ Outcome run_manifold_tangle(std::span<const Input> inputs, const Options& option
 Operation manifold_tangle_operation() {
   Operation operation;
   operation.name = "manifold_tangle";
-  operation.revision = 7;  // bars of curves of few points
+  operation.revision = 8;  // sums of hidden areas in another order
   operation.title = "tangle of the manifolds of a system, grown from its equations";
   operation.summary =
       "Grows the unstable and the stable manifold of a system's saddles and finds their tangle: pips, lobes, boundary "

@@ -123,7 +123,7 @@ Outcome run_overlay(std::span<const Input> inputs, const Options& options, const
 Operation overlay_operation() {
   Operation operation;
   operation.name = "overlay";
-  operation.revision = 4;  // bars of curves of few points, estimates of very small ones
+  operation.revision = 5;  // sums of hidden areas in another order
   operation.title = "crossings, lobes and areas of two closed curves";
   operation.summary =
       "Computes where two simple closed curves cross, the pieces of their differences, intersection and union, and all "

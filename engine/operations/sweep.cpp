@@ -298,7 +298,7 @@ class Sweeper {
 Operation sweep_operation() {
   Operation operation;
   operation.name = "sweep";
-  operation.revision = 5;  // bars of curves of few points
+  operation.revision = 6;  // sums of hidden areas in another order
   operation.title = "areas of the turnstile of a system for values of a parameter";
   operation.summary =
       "Computes the areas of the turnstile for the values FIRST to LAST of a parameter, in steps of STEP, and where "

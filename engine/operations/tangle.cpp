@@ -66,7 +66,7 @@ Outcome run_tangle(std::span<const Input> inputs, const Options& options, const 
 Operation tangle_operation() {
   Operation operation;
   operation.name = "tangle";
-  operation.revision = 4;  // bars of curves of few points
+  operation.revision = 5;  // sums of hidden areas in another order
   operation.title = "pips, lobes, boundary and turnstile of an unstable and a stable manifold";
   operation.summary =
       "Finds the tangle of two manifolds, which are given as curves: primary intersection points, lobes, boundary and "

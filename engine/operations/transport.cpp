@@ -206,7 +206,7 @@ Outcome run(std::span<const Input> inputs, const Options& options, const Context
 Operation transport_operation() {
   Operation operation;
   operation.name = "transport";
-  operation.revision = 7;  // bars of curves of few points
+  operation.revision = 8;  // sums of hidden areas in another order
   operation.title = "transport across a boundary of a system, iterate by iterate: a(n) and T(n)";
   operation.summary =
       "Computes the transport across the boundary that a stable and an unstable manifold of a map make: grows them, "

@@ -47,24 +47,29 @@ class LeafSearch {
   /// Hands the pairs of all leaves of two such trees to the consumer, as one block: those of the first tree, four at a
   /// time, are held against all of the second that meet its box.
   void search_few(PairConsumer& consumer, Scratch& scratch) const {
-    std::array<TreeNode, few_leaves> list;
-    std::array<std::array<TreeNode, few_leaves + 1>, nodes_at_once> near;
-    std::array<TreeNode*, nodes_at_once> met{};
-    for (std::size_t i = 0; i < nodes_at_once; ++i) met[i] = near[i].data();
+    std::array<NodePair, few_leaves> pairs;  // four leaves with one
+    std::array<NodePair, nodes_at_once * few_leaves + nodes_at_once> met, unused;
+    std::array<std::array<TreeNode, few_leaves>, nodes_at_once> near;
     const BoxQuery query(first_.box());
     std::size_t size = 0;
     for (std::uint32_t leaf = 0; leaf < second_.leaves(); ++leaf) {
-      list[size] = {0, leaf};
+      pairs[size] = {0, leaf};
       size += static_cast<std::size_t>(meet(query, second_.leaf_boxes()[leaf]));
     }
     scratch.counts.boxes_tested += second_.leaves();
-    for (std::size_t begin = 0; begin < first_.leaves(); begin += nodes_at_once) {
-      const std::size_t present = std::min(nodes_at_once, first_.leaves() - begin);
+    for (std::uint32_t begin = 0; begin < first_.leaves(); begin += nodes_at_once) {
+      for (std::size_t k = 0; k < size; ++k) pairs[k].first = begin / nodes_at_once;
+      const std::size_t found =
+          pairs_below_first(first_.level(0), second_.level(0), pairs.data(), size, Keep::all, met.data(), unused.data())
+              .kept;
+      scratch.counts.boxes_tested += nodes_at_once * size;
       std::array<std::size_t, nodes_at_once> count{};
-      distribute(first_.leaf_boxes() + begin, present, second_.pyramid(), list.data(), size, met, count);
-      scratch.counts.boxes_tested += present * size;
-      for (std::size_t i = 0; i < present; ++i) {
-        search(static_cast<std::uint32_t>(begin + i), {near[i].data(), count[i]}, 0, consumer, scratch);
+      for (std::size_t k = 0; k < found; ++k) {
+        const std::size_t i = met[k].first - begin;
+        near[i][count[i]++] = {0, met[k].second};
+      }
+      for (std::uint32_t i = 0; i < nodes_at_once; ++i) {
+        search(begin + i, {near[i].data(), count[i]}, 0, consumer, scratch);
       }
     }
   }

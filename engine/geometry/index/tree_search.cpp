@@ -43,20 +43,6 @@ struct Meeting {
   std::vector<TreeNode> list;
 };
 
-// Where walks begin: a node of an even level, at the root or above it, and so high that they go down from it, since
-// they split what is met on their way; and the nodes of even levels at the root or below it.
-TreeNode top_of(const BoxTree& tree) {
-  const std::uint32_t level = tree.root().level;
-  return {std::max(level + level % 2, levels_at_once), 0};
-}
-std::vector<TreeNode> roots_of(const BoxTree& tree) {
-  const TreeNode root = tree.root();
-  if (root.level % 2 == 0) return {root};
-  return {{root.level - 1, 0}, {root.level - 1, 1}};
-}
-
-// More pairs than these are not held at once on the way down to leaves: they may be most of all pairs of leaves.
-constexpr std::size_t pairs_at_once = std::size_t{1} << 16;
 constexpr std::size_t all_pairs = std::numeric_limits<std::size_t>::max();
 
 // The nodes of a level, at or below another one, that meet anything.
@@ -229,7 +215,7 @@ SearchCounts search_small(const LeafSearch& search, const PairWalk<NodeBoxes>& b
     counts.blocks_searched = 1;
     return counts;
   }
-  counts += TaskSearch(search, by_boxes, consumer)({top_of(first), roots_of(second)});
+  counts += TaskSearch(search, by_boxes, consumer)({top_of(first.levels()), roots_of(second.levels())});
   counts.blocks_skipped = blocks_of(first) - counts.blocks_searched;
   return counts;
 }
@@ -240,7 +226,7 @@ SearchCounts search_self(const BoxTree& tree, PairConsumer& consumer) {
   const PairWalk<NodeBoxes> by_boxes(boxes);
   if (tree.root().level < task_level) return search_small(search, by_boxes, tree, tree, consumer);
   SearchCounts counts;
-  const Meeting all{top_of(tree), roots_of(tree)};
+  const Meeting all{top_of(tree.levels()), roots_of(tree.levels())};
   // Where many boxes meet, the way down to all tasks is long.
   const auto task = [&](std::size_t index) { return task_below(by_boxes, all, index, counts); };
   const double a_leaf = boxes_a_leaf(by_boxes, tree.nodes(task_level), task, worth_windows, counts);
@@ -261,7 +247,8 @@ SearchCounts search_two(const BoxTree& first, const BoxTree& second, PairConsume
   const PairWalk<NodeBoxes> by_boxes(boxes1, boxes2);
   if (first.root().level < task_level) return search_small(search, by_boxes, first, second, consumer);
   SearchCounts counts;
-  const std::vector<Meeting> tasks = meetings_below(by_boxes, {top_of(first), roots_of(second)}, task_level, counts);
+  const std::vector<Meeting> tasks =
+      meetings_below(by_boxes, {top_of(first.levels()), roots_of(second.levels())}, task_level, counts);
   const auto task = [&](std::size_t k) -> const Meeting& { return tasks[k]; };
   constexpr double no_bound = std::numeric_limits<double>::infinity();
   const double a_leaf = boxes_a_leaf(by_boxes, tasks.size(), task, no_bound, counts);

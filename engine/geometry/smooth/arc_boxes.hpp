@@ -39,7 +39,11 @@ class ArcBoxes {
   [[nodiscard]] std::uint32_t levels() const { return levels_; }
   [[nodiscard]] std::uint32_t nodes(std::uint32_t level) const { return size_[level]; }
   [[nodiscard]] const Box& box(TreeNode node) const { return boxes_[begin_[node.level] + node.index]; }
-  [[nodiscard]] BoxPyramid pyramid() const { return {boxes_.data(), begin_.data(), size_.data()}; }
+  /// The boxes of a level; none above the root.
+  [[nodiscard]] BoxLevel level(std::uint32_t level) const {
+    if (level >= levels_) return {};
+    return {&boxes_[begin_[level]], size_[level]};
+  }
   [[nodiscard]] const ArcStrip& strip(std::size_t leaf) const { return strips_[leaf]; }
   /// How far arcs of a leaf lie from their segments at most, where they are fitted or as far beside as they may be
   /// wrong.

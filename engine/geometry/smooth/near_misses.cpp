@@ -7,9 +7,11 @@
 #include <cmath>
 #include <cstring>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
+#include "engine/geometry/index/pair_walk.hpp"
 #include "engine/geometry/smooth/segment_shapes.hpp"
 #include "kernels/inline.hpp"
 
@@ -120,30 +122,62 @@ bool keeps_away(Point a, Point b, Point c, Point d, double by) {
   const double least = std::min(std::fabs(from), std::fabs(to));
   return least * least > by * by * (along.x * along.x + along.y * along.y);
 }
-
+bool keep_away(Point a, Point b, Point c, Point d, double by) {
+  return keeps_away(a, b, c, d, by) || keeps_away(c, d, a, b, by);
+}
 bool keep_away(const ArcStrip& one, const ArcStrip& other) {
-  const double width = one.width + other.width;
-  return keeps_away(one.from, one.to, other.from, other.to, width) ||
-         keeps_away(other.from, other.to, one.from, one.to, width);
+  return keep_away(one.from, one.to, other.from, other.to, one.width + other.width);
 }
 
-// The walk of C1's boxes against those of C2: down the first tree with a list of the nodes of the second one that meet
-// the present node, always split to about its size. Pairs of segments that come near are collected, then their arcs
+// The boxes of a curve's arcs, for a walk.
+class ArcNodes {
+ public:
+  explicit ArcNodes(const ArcsOfCurve& arcs) : boxes_(arcs.boxes) {}
+  [[nodiscard]] BoxLevel level(std::uint32_t level) const { return boxes_.level(level); }
+
+ private:
+  const ArcBoxes& boxes_;
+};
+
+// Pairs of nodes of which both have nothing but segments about nodes of the curves.
+class LeftOutAboutNodes {
+ public:
+  LeftOutAboutNodes(const NodeSegments& about1, const NodeSegments& about2) : about1_(about1), about2_(about2) {}
+  [[nodiscard]] bool none_below(TreeNode first, TreeNode second) const {
+    return about1_.others_everywhere(first) || about2_.others_everywhere(second);
+  }
+  [[nodiscard]] bool operator()(TreeNode first, TreeNode second) const {
+    return !about1_.any_others(first) && !about2_.any_others(second);
+  }
+
+ private:
+  const NodeSegments &about1_, &about2_;
+};
+
+using ArcWalk = PairWalk<ArcNodes, LeftOutAboutNodes>;
+
+// In leaves that a walk finds to meet, pairs of segments that come near are collected, then their arcs
 // compared.
 class NearPairs {
  public:
-  NearPairs(const ArcsOfCurve& c1, const ArcsOfCurve& c2)
-      : c1_(c1),
-        c2_(c2),
-        no_nodes_(c1.about.none() && c2.about.none()),
-        carried_((c1.boxes.levels() + 1) / levels_at_once + 1) {}
+  NearPairs(const ArcsOfCurve& c1, const ArcsOfCurve& c2, const ArcWalk& walk)
+      : c1_(c1), c2_(c2), walk_(walk), no_nodes_(c1.about.none() && c2.about.none()) {}
 
-  /// Goes through the leaves below one node of C1.
-  void walk(TreeNode node) {
-    Buffer<TreeNode> list{{c2_.boxes.levels() - 1, 0}};
-    std::size_t count = meet(c1_.boxes.box(node), c2_.boxes.box(list[0])) ? 1 : 0;
-    split_to_size(node, list, count);
-    walk(node, {list.data(), count});
+  /// Goes through the leaves of C1 below one of its nodes, which meets those of the list.
+  void go_down(TreeNode node, std::span<const TreeNode> list) {
+    const auto [level, pairs] = walk_.pairs_below(node, 0, list, pairs_at_once, counts_);
+    if (level == 0) {
+      pairs.for_each_list([&](const PairList& found, std::uint32_t) {
+        for (std::size_t k = 0; k < found.count; ++k) look_at(found.pair[k].first, found.pair[k].second);
+      });
+      return;
+    }
+    MeetingLists lists;
+    const std::uint32_t begin = node.index << (node.level - level);
+    lists.sort_in(pairs, begin, std::size_t{1} << (node.level - level));
+    for (std::uint32_t k = 0; k < lists.size(); ++k) {
+      if (!lists[k].empty()) go_down({level, begin + k}, lists[k]);
+    }
   }
   [[nodiscard]] double area() {
     compare();
@@ -151,64 +185,6 @@ class NearPairs {
   }
 
  private:
-  struct Carried {
-    std::array<Buffer<TreeNode>, nodes_at_once> met;
-    std::array<std::size_t, nodes_at_once> count{};
-  };
-  static void ensure_size(Buffer<TreeNode>& buffer, std::size_t size) {
-    if (buffer.size() < size) buffer.resize(2 * size);
-  }
-
-  void walk(TreeNode node, std::span<const TreeNode> list) {
-    if (list.empty()) return;
-    if (node.level == 0) {
-      for (const TreeNode other : list) look_at(node.index, other.index);
-      return;
-    }
-    const std::uint32_t step = node.level % levels_at_once == 0 ? levels_at_once : 1;
-    const TreeNode below{node.level - step, node.index << step};
-    const std::size_t present =
-        std::min<std::size_t>(std::size_t{1} << step, c1_.boxes.nodes(below.level) - below.index);
-    Carried& carried = carried_[(node.level + 1) / levels_at_once];
-    std::array<TreeNode*, nodes_at_once> met{};
-    for (std::size_t i = 0; i < nodes_at_once; ++i) {
-      ensure_size(carried.met[i], list.size() + 1);
-      met[i] = carried.met[i].data();
-    }
-    distribute(&c1_.boxes.box(below), present, c2_.boxes.pyramid(), list.data(), list.size(), met, carried.count);
-    for (std::size_t i = 0; i < present; ++i) {
-      const TreeNode child{below.level, below.index + static_cast<std::uint32_t>(i)};
-      split_to_size(child, carried.met[i], carried.count[i]);
-      walk(child, {carried.met[i].data(), carried.count[i]});
-    }
-  }
-
-  // Replaces nodes of C2 that are larger than the node of C1 by those below them that meet it; at a leaf, down to
-  // leaves.
-  void split_to_size(TreeNode node, Buffer<TreeNode>& list, std::size_t& count) {
-    const Box& box = c1_.boxes.box(node);
-    const double largest = node.level == 0 ? -1 : box.extent();
-    const bool all_about_nodes = !c1_.about.any_others(node);
-    std::size_t kept = 0, left = all_about_nodes ? with_others(list.data(), count) : count;
-    ensure_size(waiting_, left);
-    std::copy_n(list.begin(), left, waiting_.begin());
-    while (left > 0) {
-      ensure_size(list, kept + nodes_at_once * left + 1);
-      ensure_size(below_, nodes_at_once * left + 1);
-      const SplitCounts done =
-          refine(box, largest, c2_.boxes.pyramid(), waiting_.data(), left, &list[kept], below_.data());
-      kept += done.kept;
-      waiting_.swap(below_);
-      left = all_about_nodes ? with_others(waiting_.data(), done.split) : done.split;
-    }
-    count = kept;
-  }
-  // Keeps nodes of C2 that are not all about nodes of the curves.
-  std::size_t with_others(TreeNode* list, std::size_t count) const {
-    return static_cast<std::size_t>(
-        std::remove_if(list, list + count, [&](TreeNode node) { return !c2_.about.any_others(node); }) - list);
-  }
-
   void look_at(std::uint32_t leaf1, std::uint32_t leaf2) {
     const ArcBoxes &boxes1 = c1_.boxes, &boxes2 = c2_.boxes;
     // Boxes of folds that lie close together all meet.
@@ -231,7 +207,7 @@ class NearPairs {
       for (std::uint32_t left = which2 & points2.near(grown_by(Box::of(a, b), bend)); left != 0; left &= left - 1) {
         const auto j = static_cast<std::size_t>(std::countr_zero(left));
         const Point c = points2.at(j), d = points2.at(j + 1);
-        if (keeps_away(a, b, c, d, bend) || keeps_away(c, d, a, b, bend)) continue;
+        if (keep_away(a, b, c, d, bend)) continue;
         pairs_.push_back({static_cast<std::int64_t>(points1.begin + i), static_cast<std::int64_t>(points2.begin + j)});
         if (pairs_.size() == together) compare();
       }
@@ -267,11 +243,11 @@ class NearPairs {
     std::uint32_t shape1 = 0, shape2 = 0;
   };
   const ArcsOfCurve &c1_, &c2_;
+  const ArcWalk& walk_;
   // Where polygons cross nowhere, nothing but the areas found here tells that arcs may: then those of few points, whose
   // chords lead elsewhere, are compared along the second chord too.
   bool no_nodes_;
-  std::vector<Carried> carried_;  // one for each level that the walk passes through
-  Buffer<TreeNode> waiting_, below_;
+  SearchCounts counts_;
   std::vector<Pair> pairs_;
   double area_ = 0;
 };
@@ -304,11 +280,15 @@ void NodeSegments::join() {
       bits = bits << 8 | static_cast<std::uint32_t>((bytes[k] * 0x0102040810204080U) >> 56);
     others_[leaf] = ~bits & first_bits(std::min(size_ - leaf * leaf_size_of_arcs, leaf_size_of_arcs));
   }
-  for (std::size_t size = leaves; size > 1; size = levels_.back().size()) {
-    Buffer<std::uint8_t> level((size + 1) / 2);
-    const auto below = static_cast<std::uint32_t>(levels_.size());
-    for (std::uint32_t k = 0; k < level.size(); ++k)
-      level[k] = any_others({below, 2 * k}) || (2 * k + 1 < size && any_others({below, 2 * k + 1})) ? 1 : 0;
+  levels_.emplace_back(leaves);
+  for (std::size_t leaf = 0; leaf < leaves; ++leaf) levels_[0][leaf] = others_[leaf] != 0 ? any | everywhere : 0;
+  while (levels_.back().size() > 1) {
+    const Buffer<std::uint8_t>& below = levels_.back();
+    Buffer<std::uint8_t> level((below.size() + 1) / 2);
+    for (std::size_t k = 0; k < level.size(); ++k) {
+      const std::uint8_t first = below[2 * k], second = below[std::min(2 * k + 1, below.size() - 1)];
+      level[k] = ((first | second) & any) | (first & second & everywhere);
+    }
     levels_.push_back(std::move(level));
   }
 }
@@ -316,12 +296,18 @@ void NodeSegments::join() {
 double hidden_area(const ArcsOfCurve& c1, const ArcsOfCurve& c2) {
   // Few leaves are one task.
   constexpr std::uint32_t tasks = 256;
-  std::uint32_t level = c1.boxes.nodes(0) > tasks ? 0 : c1.boxes.levels() - 1;
-  while (c1.boxes.nodes(level) > tasks) ++level;
-  std::vector<double> areas(c1.boxes.nodes(level));
+  const ArcBoxes& boxes = c1.boxes;
+  std::uint32_t level = top_of(boxes.levels()).level;
+  if (boxes.nodes(0) > tasks) {
+    while (level > levels_at_once && boxes.nodes(level - levels_at_once) <= tasks) level -= levels_at_once;
+  }
+  const ArcNodes arcs1(c1), arcs2(c2);
+  const ArcWalk walk(arcs1, arcs2, {c1.about, c2.about});
+  const std::vector<TreeNode> roots = roots_of(c2.boxes.levels());
+  std::vector<double> areas(level < boxes.levels() ? boxes.nodes(level) : 1);
   for_each_block(areas.size(), 1, [&](std::size_t k, std::size_t) {
-    NearPairs pairs(c1, c2);
-    pairs.walk({level, static_cast<std::uint32_t>(k)});
+    NearPairs pairs(c1, c2, walk);
+    pairs.go_down({level, static_cast<std::uint32_t>(k)}, roots);
     areas[k] = pairs.area();
   });
   double area = 0;

@@ -26,9 +26,11 @@ class NodeSegments {
   [[nodiscard]] bool none() const { return none_; }
   /// The bits of those of a leaf of ArcBoxes that are not about nodes.
   [[nodiscard]] std::uint32_t others(std::size_t leaf) const { return others_[leaf]; }
-  /// Whether there are any below a node of them.
-  [[nodiscard]] bool any_others(TreeNode node) const {
-    return node.level == 0 ? others_[node.index] != 0 : levels_[node.level - 1][node.index] != 0;
+  /// Whether there are any in a node of them.
+  [[nodiscard]] bool any_others(TreeNode node) const { return (levels_[node.level][node.index] & any) != 0; }
+  /// Whether there are any in each leaf of a node; false above the root.
+  [[nodiscard]] bool others_everywhere(TreeNode node) const {
+    return node.level < levels_.size() && (levels_[node.level][node.index] & everywhere) != 0;
   }
 
  private:
@@ -38,7 +40,8 @@ class NodeSegments {
   bool none_ = true;
   Buffer<std::uint8_t> about_node_;  // and behind the last one up to the end of its leaf
   Buffer<std::uint32_t> others_;
-  std::vector<Buffer<std::uint8_t>> levels_;  // any others, for the nodes above leaves
+  static constexpr std::uint8_t any = 1, everywhere = 2;
+  std::vector<Buffer<std::uint8_t>> levels_;  // which of these holds for a node
 };
 
 /// One of two curves.

@@ -22,16 +22,6 @@ constexpr std::size_t all_pairs = std::size_t{1} << 32;
 
 using NodeLists = std::vector<std::vector<TreeNode>>;
 
-// The nodes of even levels at the root or below it.
-std::vector<TreeNode> highest(const BoxTree& tree) {
-  const TreeNode root = tree.root();
-  if (root.level % 2 == 0) return {root};
-  return {{root.level - 1, 0}, {root.level - 1, 1}};
-}
-TreeNode above_all(const BoxTree& tree) {
-  return {std::max(tree.root().level + tree.root().level % 2, levels_at_once), 0};
-}
-
 template <typename Nodes>
 NodeLists below(const PairWalk<Nodes>& walk, TreeNode top, std::uint32_t level, const std::vector<TreeNode>& list) {
   MeetingLists met;
@@ -47,14 +37,14 @@ NodeLists below(const PairWalk<Nodes>& walk, TreeNode top, std::uint32_t level, 
 }
 template <typename Nodes>
 NodeLists leaves_of(const PairWalk<Nodes>& walk, const BoxTree& first, const BoxTree& second) {
-  return below(walk, above_all(first), 0, highest(second));
+  return below(walk, top_of(first.levels()), 0, roots_of(second.levels()));
 }
 
 // Two levels at a time.
 template <typename Nodes>
 NodeLists leaves_step_by_step(const PairWalk<Nodes>& walk, const BoxTree& first, const BoxTree& second) {
-  NodeLists lists{highest(second)};
-  for (std::uint32_t level = above_all(first).level; level > 0; level -= levels_at_once) {
+  NodeLists lists{roots_of(second.levels())};
+  for (std::uint32_t level = top_of(first.levels()).level; level > 0; level -= levels_at_once) {
     NodeLists next;
     for (std::uint32_t k = 0; k < lists.size(); ++k) {
       for (auto& list : below(walk, {level, k}, level - levels_at_once, lists[k])) next.push_back(std::move(list));
@@ -75,8 +65,8 @@ TEST(PairWalk, EndsWherePairsAreTooMany) {
   const NodeBoxes boxes(tree);
   MeetingLists lists;
   SearchCounts counts;
-  const TreeNode top = above_all(tree);
-  const std::uint32_t level = PairWalk(boxes).go_down(top, 0, highest(tree), 1000, lists, counts);
+  const TreeNode top = top_of(tree.levels());
+  const std::uint32_t level = PairWalk(boxes).go_down(top, 0, roots_of(tree.levels()), 1000, lists, counts);
   EXPECT_GT(level, 0U);
   EXPECT_EQ(lists.size(), 1U << (top.level - level));
   EXPECT_LT(counts.boxes_tested, 100'000U);

@@ -1,4 +1,4 @@
-// Nodes of a tree, four side by side.
+// Pairs of nodes of trees, four side by side.
 #pragma once
 
 #include "kernels/box_pyramid.hpp"
@@ -7,25 +7,20 @@
 namespace lober::detail {
 namespace {
 
-// Four nodes in a row, from `first` on.
-using NodeLanes = std::uint32_t __attribute__((vector_size(32)));
-inline NodeLanes nodes_from(TreeNode first) {
-  const auto [level, index] = first;
-  return NodeLanes{level, index, level, index, level, index, level, index} + NodeLanes{0, 0, 0, 1, 0, 2, 0, 3};
-}
-// Writes those of four nodes whose bits are set to `to`, one behind the other, and returns how many they are. All four
+// Four pairs.
+using PairLanes = std::uint32_t __attribute__((vector_size(32)));
+// Writes those of four pairs whose bits are set to `to`, one behind the other, and returns how many they are. All four
 // places are written to.
-template <typename Node>
-inline std::size_t put_nodes(NodeLanes four, unsigned bits, Node* to) {
+inline std::size_t put_pairs(PairLanes four, unsigned bits, NodePair* to) {
 #ifdef __AVX2__
   alignas(32) static constexpr std::uint32_t places[16][8] = {
       {0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 2, 3, 4, 5, 6, 7}, {2, 3, 0, 1, 4, 5, 6, 7}, {0, 1, 2, 3, 4, 5, 6, 7},
       {4, 5, 0, 1, 2, 3, 6, 7}, {0, 1, 4, 5, 2, 3, 6, 7}, {2, 3, 4, 5, 0, 1, 6, 7}, {0, 1, 2, 3, 4, 5, 6, 7},
       {6, 7, 0, 1, 2, 3, 4, 5}, {0, 1, 6, 7, 2, 3, 4, 5}, {2, 3, 6, 7, 0, 1, 4, 5}, {0, 1, 2, 3, 6, 7, 4, 5},
       {4, 5, 6, 7, 0, 1, 2, 3}, {0, 1, 4, 5, 6, 7, 2, 3}, {2, 3, 4, 5, 6, 7, 0, 1}, {0, 1, 2, 3, 4, 5, 6, 7}};
-  NodeLanes place;
+  PairLanes place;
   std::memcpy(&place, places[bits], sizeof place);
-  four = reinterpret_cast<NodeLanes>(
+  four = reinterpret_cast<PairLanes>(
       _mm256_permutevar8x32_epi32(reinterpret_cast<__m256i>(four), reinterpret_cast<__m256i>(place)));
   std::memcpy(to, &four, sizeof four);
   return static_cast<std::size_t>(__builtin_popcount(bits));
@@ -39,8 +34,8 @@ inline std::size_t put_nodes(NodeLanes four, unsigned bits, Node* to) {
 #endif
 }
 
-inline NodeLanes four_times(NodePair pair) {
-  return NodeLanes{pair.first, pair.second, pair.first, pair.second, pair.first, pair.second, pair.first, pair.second};
+inline PairLanes four_times(NodePair pair) {
+  return PairLanes{pair.first, pair.second, pair.first, pair.second, pair.first, pair.second, pair.first, pair.second};
 }
 
 // Pairs of nodes of two levels, replaced by those below the first ones or the second ones. The list of one node is
@@ -49,7 +44,7 @@ inline NodeLanes four_times(NodePair pair) {
 template <typename Pairs, bool splits_first, Keep keep>
 SplitCounts split_pairs(typename Pairs::Level first, typename Pairs::Level second, const NodePair* pairs,
                         std::size_t count, NodePair* kept, NodePair* split) {
-  constexpr NodeLanes step = splits_first ? NodeLanes{0, 0, 1, 0, 2, 0, 3, 0} : NodeLanes{0, 0, 0, 1, 0, 2, 0, 3};
+  constexpr PairLanes step = splits_first ? PairLanes{0, 0, 1, 0, 2, 0, 3, 0} : PairLanes{0, 0, 0, 1, 0, 2, 0, 3};
   const std::uint32_t nodes = splits_first ? first.nodes : second.nodes, last_four = (nodes - 1) / 4 * 4;
   const unsigned present = 15U >> (last_four + 4 - nodes);
   SplitCounts end{0, 0};
@@ -65,15 +60,15 @@ SplitCounts split_pairs(typename Pairs::Level first, typename Pairs::Level secon
     divided *= 4;
     unsigned meets = four_pairs.meet();
     if (divided == last_four) meets &= present;
-    const NodeLanes four = four_times(pair) + step;
+    const PairLanes four = four_times(pair) + step;
     if constexpr (keep == Keep::all) {
-      end.kept += put_nodes(four, meets, kept + end.kept);
+      end.kept += put_pairs(four, meets, kept + end.kept);
     } else if constexpr (keep == Keep::none) {
-      end.split += put_nodes(four, meets, split + end.split);
+      end.split += put_pairs(four, meets, split + end.split);
     } else {
       const unsigned small = meets & four_pairs.second_is_small();
-      end.kept += put_nodes(four, small, kept + end.kept);
-      end.split += put_nodes(four, meets ^ small, split + end.split);
+      end.kept += put_pairs(four, small, kept + end.kept);
+      end.split += put_pairs(four, meets ^ small, split + end.split);
     }
   }
   return end;
