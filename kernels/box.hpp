@@ -19,6 +19,7 @@ namespace lober::detail {
 struct alignas(32) Box {
   double lane[4] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
                     std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  using LeftUnfilled = void;  ///< in arrays (lober/base/buffer.hpp)
 
   LOBER_INLINE static Box of(Point a, Point b) {
     return {{b.x < a.x ? b.x : a.x, b.y < a.y ? b.y : a.y, -(a.x < b.x ? b.x : a.x), -(a.y < b.y ? b.y : a.y)}};

@@ -19,6 +19,7 @@ template <typename T>
 struct BasicDD {
   T hi{};
   T lo{};
+  using LeftUnfilled = void;  ///< in arrays (lober/base/buffer.hpp)
 };
 using DD = BasicDD<double>;
 

@@ -28,6 +28,7 @@ struct SmoothSegment {
   std::array<double, 6> f{};  ///< coefficients of 1, u, ..., u^5
   double error = 0;           ///< estimate of the error of chord_area(1)
   Kind kind = Kind::straight;
+  using LeftUnfilled = void;  ///< in arrays (lober/base/buffer.hpp)
 
   [[nodiscard]] double f_at(double u) const { return value_at(f, u); }
   /// Side by side for many, the same bits.

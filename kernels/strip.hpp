@@ -17,6 +17,7 @@ struct Strip {
   Point middle;
   Point along;
   double length, width, bend, reach;
+  using LeftUnfilled = void;  ///< in arrays (lober/base/buffer.hpp)
 };
 
 /// Fills `strip` with one that holds the segments between the leaf_size + 1 points of a leaf, along the parabola

@@ -29,6 +29,7 @@ BoxTree::BoxTree(CurveView curve) : curve_(curve) {
     if (size == 1) break;
   }
   boxes_.resize(total + nodes_at_once - 1);  // a pyramid is read by fours
+  std::fill(boxes_.begin() + total, boxes_.end(), Box{});
   flags_.resize(total);
   chunk_sums_.resize((leaf_count + leaf_size - 1) / leaf_size);
   sums_.resize(chunk_sums_.size() * leaf_size);

@@ -11,8 +11,17 @@
 namespace lober::detail {
 namespace {
 
-// Twice the area, from the sums that the tree brings along, if its sign is certain; else 0.
-double certain_twice_area(const BoxTree& tree) {
+// The sign of twice an area, a sum along the curve about a point so near that both are of that extent; 0 if it is not
+// certain. A term is wrong by 2^-102 of the square of the extent at most, an addition by less; what underflows is lost
+// whole.
+int certain_sign(DD twice_area, const BoxTree& tree, double extent) {
+  const double lost = static_cast<double>(tree.segments()) * (extent * extent * 0x1p-98 + 0x1p-1000);
+  if (!(std::fabs(twice_area.hi) > lost)) return 0;
+  return twice_area.hi > 0 ? 1 : -1;
+}
+
+// The same from the sums that the tree brings along.
+int certain_sign(const BoxTree& tree) {
   DD twice_area;
   if (const KeptSums* const kept = tree.kept_sums()) {
     twice_area = kept->total();
@@ -22,10 +31,7 @@ double certain_twice_area(const BoxTree& tree) {
       twice_area += tree.chunk_sums()[k] + shoelace(*tree.chunk_points(k), *tree.chunk_points(k + 1), origin);
     }
   }
-  // A term is wrong by 2^-102 of the square of the extent at most, an addition by less; what underflows is lost whole.
-  const double extent = tree.box().extent();
-  const double lost = static_cast<double>(tree.segments()) * (extent * extent * 0x1p-98 + 0x1p-1000);
-  return std::fabs(twice_area.hi) > lost ? twice_area.hi : 0;
+  return certain_sign(twice_area, tree, tree.box().extent());
 }
 
 // The turn at the extreme vertex, where a simple curve is convex.
@@ -73,10 +79,15 @@ std::uint32_t extreme_segment(const BoxTree& tree) {
 
 Orientation orientation(const IndexedCurve& curve) {
   require_closed(curve.view(), "the curve", "orientation");
-  const double twice_area = certain_twice_area(curve.tree());
-  const bool positive = twice_area > 0, negative = twice_area < 0;
-  const int sign = positive ? 1 : negative ? -1 : extreme_turn(curve.tree());
+  int sign = certain_sign(curve.tree());
+  if (sign == 0) sign = extreme_turn(curve.tree());
   return sign > 0 ? Orientation::counter_clockwise : sign < 0 ? Orientation::clockwise : Orientation::degenerate;
+}
+
+Orientation orientation(const IndexedCurve& curve, DD twice_area, double extent) {
+  const int sign = certain_sign(twice_area, curve.tree(), extent);
+  if (sign == 0) return orientation(curve);
+  return sign > 0 ? Orientation::counter_clockwise : Orientation::clockwise;
 }
 
 }  // namespace lober::detail

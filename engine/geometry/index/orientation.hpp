@@ -16,5 +16,8 @@ namespace lober::detail {
 /// a curve that crosses itself, the sign of its area where that is beyond rounding. `degenerate` if a curve that is not
 /// simple turns back at its extreme vertex. Throws UsageError for an open curve. O(N / 1024).
 [[nodiscard]] Orientation orientation(const IndexedCurve& curve);
+/// The same where twice the signed area is there already, a sum along the closed curve (sums_along.hpp) about a point
+/// of a scene of that extent (Box::extent). O(1) unless rounding might hide the sign.
+[[nodiscard]] Orientation orientation(const IndexedCurve& curve, DD twice_area, double extent);
 
 }  // namespace lober::detail

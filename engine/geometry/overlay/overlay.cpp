@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "engine/base/parallel/parallel.hpp"
 #include "engine/base/stopwatch.hpp"
@@ -58,8 +59,8 @@ class OverlayBuilder {
 
     sums_ = sum_arcs(c1_, c2_, graph);
     measure_curves();
-    result_.orientation1 = orientation(c1_);
-    result_.orientation2 = orientation(c2_);
+    result_.orientation1 = orientation(c1_, sums_.total1, extent());
+    result_.orientation2 = orientation(c2_, sums_.total2, extent());
     result_.statistics.index = kind;
     result_.statistics.counts = graph.counts;
     result_.statistics.index_bytes = c1_.tree().memory() + c2_.tree().memory();
@@ -99,15 +100,21 @@ class OverlayBuilder {
     if (!options_.progress(fraction)) throw Cancelled();
   }
 
+  [[nodiscard]] double extent() const { return union_of(c1_.tree().box(), c2_.tree().box()).extent(); }
+
   void measure_curves() {
+    constexpr std::size_t leaves_a_task = 4096;
     for (const IndexedCurve* curve : {&c1_, &c2_}) {
       const BoxTree& tree = curve->tree();
       for (const double lane : tree.box().lane) {
         result_.largest_coordinate = std::max(result_.largest_coordinate, std::fabs(lane));
       }
-      for (std::size_t leaf = 0; leaf < tree.leaves(); ++leaf) {
-        result_.longest_segment = std::max(result_.longest_segment, tree.leaf_boxes()[leaf].extent());
-      }
+      std::vector<double> longest((tree.leaves() + leaves_a_task - 1) / leaves_a_task);
+      for_each_block(tree.leaves(), leaves_a_task, [&](std::size_t begin, std::size_t end) {
+        double& here = longest[begin / leaves_a_task];
+        for (std::size_t leaf = begin; leaf < end; ++leaf) here = std::max(here, tree.leaf_boxes()[leaf].extent());
+      });
+      for (const double length : longest) result_.longest_segment = std::max(result_.longest_segment, length);
     }
   }
 
@@ -120,8 +127,7 @@ class OverlayBuilder {
   // without error. A thin region may well have a computed area of 0, and then has a bound.
   using TwiceArea = std::optional<DD>;
   void set_areas(const TwiceArea& minus12, const TwiceArea& minus21, const TwiceArea& common) {
-    const double extent = union_of(c1_.tree().box(), c2_.tree().box()).extent();
-    const double lost = lost_in_sums(extent, result_.nodes.size(), c1_.segments() + c2_.segments());
+    const double lost = lost_in_sums(extent(), result_.nodes.size(), c1_.segments() + c2_.segments());
     const auto set = [&](double Areas::*area, DD twice, bool some = true) {
       result_.areas.*area = half(twice);
       result_.rounding.*area = some ? result_.areas.*area * 0x1p-53 + lost : 0;

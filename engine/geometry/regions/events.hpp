@@ -33,7 +33,7 @@ struct Event {
 /// incidence shows, ends of spikes and extreme vertices, come behind.
 struct Events {
   Buffer<Incidence> incidences;
-  std::array<Buffer<IncidenceParameter>, 2> parameters;
+  std::array<Buffer<DD>, 2> parameters;
   std::vector<std::uint32_t> isolated;     ///< segments whose first ends are events without an incidence
   Buffer<std::uint32_t> candidate;         ///< that each event is, in order along C1, then along C2
   Buffer<std::uint32_t> node;              ///< the first event of the node of each event, by which nodes are named
@@ -55,7 +55,7 @@ struct Events {
     const bool other_starts = first ? incidence.starts2 : incidence.starts1;
     const std::uint32_t segment = first ? incidence.first : incidence.second;
     if (starts) return {{}, segment, segment, 0, Event::Kind::at_start};
-    return {parameters[number % 2][number / 2].t, segment, first ? incidence.second : incidence.first,
+    return {parameters[number % 2][number / 2], segment, first ? incidence.second : incidence.first,
             static_cast<std::int8_t>(first ? incidence.rho : -incidence.rho),
             other_starts ? Event::Kind::at_vertex : Event::Kind::at_crossing};
   }

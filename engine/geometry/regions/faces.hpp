@@ -26,24 +26,14 @@ struct FaceLabel {
 
 /// Shoelace sums of all edges about one origin, as differences of those from the first vertices of the curves on.
 struct EdgeSums {
-  struct Sum {
-    DD value;
-  };
-  std::array<Buffer<Sum>, 2> up_to;  ///< by curve: each event, and its first one once more after a turn
-  std::uint32_t second = 0;          ///< the first edge of C2
+  std::array<Buffer<DD>, 2> up_to;  ///< by curve: each event, and its first one once more after a turn
+  std::uint32_t second = 0;         ///< the first edge of C2
 
   [[nodiscard]] DD operator[](std::uint32_t edge) const {
-    const Sum* const sum = edge < second ? &up_to[0][edge] : &up_to[1][edge - second];
-    return sum[1].value - sum[0].value;
+    const DD* const sum = edge < second ? &up_to[0][edge] : &up_to[1][edge - second];
+    return sum[1] - sum[0];
   }
 };
-
-}  // namespace lober::detail
-
-template <>
-inline constexpr bool lober::left_unfilled<lober::detail::EdgeSums::Sum> = true;
-
-namespace lober::detail {
 
 struct RegionFaces {
   static constexpr std::uint32_t unbounded = 0;

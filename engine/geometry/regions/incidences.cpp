@@ -85,7 +85,7 @@ class IncidenceFinder final : public PairConsumer {
       begin[k + 1] = begin[k] + (blocks_[k] ? blocks_[k]->list.size() : 0);
     }
     all.list.resize(begin.back());
-    for (Buffer<IncidenceParameter>& parameters : all.parameters) parameters.resize(begin.back());
+    for (Buffer<DD>& parameters : all.parameters) parameters.resize(begin.back());
     for_each_block(blocks_.size(), 1, [&](std::size_t k, std::size_t) {
       if (blocks_[k]) move_to(all, begin[k], *blocks_[k]);
     });
@@ -218,8 +218,8 @@ class IncidenceFinder final : public PairConsumer {
     }
     batch.flush();
     for (std::size_t k = 0; k < computed.size(); ++k) {
-      all.parameters[0][begin + k].t = computed[k].t1;
-      all.parameters[1][begin + k].t = computed[k].t2;
+      all.parameters[0][begin + k] = computed[k].t1;
+      all.parameters[1][begin + k] = computed[k].t2;
     }
     block.exact_parameters += batch.exact();
     block.list = {};

@@ -34,9 +34,6 @@ struct Incidence {
   std::int8_t rho;              ///< proper crossing: +1 if `second` passes from right to left of `first`, -1; else 0
   bool starts1, starts2;        ///< the point is the first end of the segment; for a proper crossing neither is true
 };
-struct IncidenceParameter {
-  DD t;  ///< in [0, 1) on a segment; zero at its first end
-};
 
 struct IncidenceCounts {
   SearchCounts search;
@@ -47,18 +44,12 @@ struct IncidenceCounts {
   std::uint64_t along = 0;  ///< vertices without a node where edge chains keep together
 };
 
-}  // namespace lober::detail
-
-template <>
-inline constexpr bool lober::left_unfilled<lober::detail::IncidenceParameter> = true;
-
-namespace lober::detail {
-
 struct Incidences {
-  Buffer<Incidence> list;                                ///< those of C1 and itself, C2 and itself, C1 and C2
-  std::array<Buffer<IncidenceParameter>, 2> parameters;  ///< on the first segment of each, and on the second
-  std::array<std::size_t, 4> begin{};                    ///< where the three parts of the list begin, and its size
-  std::vector<std::uint32_t> spikes;  ///< segments whose first end is the end of a spike; one may occur twice
+  Buffer<Incidence> list;  ///< those of C1 and itself, C2 and itself, C1 and C2
+  /// On the first segment of each, and on the second: in [0, 1), zero at the segment's first end.
+  std::array<Buffer<DD>, 2> parameters;
+  std::array<std::size_t, 4> begin{};  ///< where the three parts of the list begin, and its size
+  std::vector<std::uint32_t> spikes;   ///< segments whose first end is the end of a spike; one may occur twice
   IncidenceCounts counts;
 };
 

@@ -143,7 +143,7 @@ class RegionBuilder {
       const std::uint32_t first = events.begin[static_cast<std::size_t>(curve)];
       const std::uint32_t count = events.begin[static_cast<std::size_t>(curve) + 1] - first;
       const std::uint32_t offset = scene.edge_chains.first_of(curve);
-      Buffer<EdgeSums::Sum>& up_to = sums.up_to[static_cast<std::size_t>(curve)];
+      Buffer<DD>& up_to = sums.up_to[static_cast<std::size_t>(curve)];
       up_to.resize(count + std::size_t{1});
       const SumAlong along = sum_along(
           tree, c1_.view().points[0], count,
@@ -151,10 +151,10 @@ class RegionBuilder {
             const Event event = events[first + static_cast<std::uint32_t>(k)];
             return PrecisePosition{event.segment - offset, event.t};
           },
-          [&](std::size_t k, DD sum) { up_to[k].value = sum; });
-      up_to[count].value = up_to[0].value + along.total;
+          [&](std::size_t k, DD sum) { up_to[k] = sum; });
+      up_to[count] = up_to[0] + along.total;
       largest = std::max({largest, along.largest, std::fabs(along.total.hi)});
-      for (std::uint32_t k = 0; k < count; ++k) largest = std::max(largest, std::fabs(up_to[k].value.hi));
+      for (std::uint32_t k = 0; k < count; ++k) largest = std::max(largest, std::fabs(up_to[k].hi));
       additions += static_cast<double>(tree.segments()) / 1024;
       scene.signed_areas[static_cast<std::size_t>(curve)] =
           scaled_area(0.5 * (along.total.hi + along.total.lo), -2 * exponent_);

@@ -97,6 +97,7 @@ ArcBoxes::ArcBoxes(const SmoothCurve& curve) : curve_(&curve), segments_(curve.s
   }
   constexpr std::size_t readable = 3;
   boxes_.resize(begin_[levels_ - 1] + size_[levels_ - 1] + readable);
+  std::fill(boxes_.end() - readable, boxes_.end(), Box{});
   strips_.resize(size_[0]);
   bends_.resize(size_[0]);
 }

@@ -17,6 +17,7 @@ namespace lober::detail {
 struct ArcStrip {
   Point from, to;
   double width;
+  using LeftUnfilled = void;  ///< in arrays
 };
 
 /// A binary tree of boxes about the arcs of a closed curve, whose leaves are 16 arcs each.

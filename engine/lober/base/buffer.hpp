@@ -28,12 +28,15 @@ LOBER_API void free_bulk(void* memory, std::size_t bytes) noexcept;
 /// on large curves.
 LOBER_API void release_bulk_memory() noexcept;
 
-/// Types whose arrays stay uninitialised, although their default constructor would fill them: at a thousand
-/// million points that took most of a minute, on one thread, and nothing could interrupt it.
+/// Types whose arrays stay uninitialised, although their default constructor would fill them: points, and those with a
+/// member type LeftUnfilled. At a thousand million points that took most of a minute, on one thread, and nothing could
+/// interrupt it.
 template <typename T>
-inline constexpr bool left_unfilled = std::is_same_v<T, Point>;
+inline constexpr bool left_unfilled = std::is_same_v<T, Point> || requires {
+  typename T::LeftUnfilled;
+};
 
-/// An allocator for large arrays, which keeps blocks for the next one and leaves points uninitialised.
+/// An allocator for large arrays, which keeps blocks for the next one and leaves points and the like uninitialised.
 template <typename T>
 class BulkAllocator {
  public:
