@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Runs the benchmarks of build/bin.
-# usage: bench.sh [full|quick|areas] [EARLIER]
+# usage: bench.sh [full|quick|own] [EARLIER]
 #   full    10^6 points, all rivals, about half an hour; writes bench/RESULTS.md, which the README quotes
 #   quick   10^5 points, fast rivals, a few minutes; writes build/bench-quick.md
-#   areas   the part of full about other ways to areas, four minutes; replaces it in bench/RESULTS.md
+#   own     the parts of full about overlays without rivals, growth and other ways to areas, ten minutes; replaces them
 # EARLIER, a program of an earlier version, runs the first table's commands beside the present one.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -11,8 +11,8 @@ mode=${1:-full} earlier=${2:-}
 case $mode in
   full) results=bench/RESULTS.md overlay=(--n 1000000 --rivals all --limit 30 --repeat 11) kernels=(--benchmark_min_time=0.5) batch=() rounds=5 ;;
   quick) results=build/bench-quick.md overlay=(--n 100000 --rivals fast --limit 20 --no-growth) kernels=(--benchmark_min_time=0.1) batch=(--quick) rounds=1 ;;
-  areas) results=bench/RESULTS.md overlay=(--n 1000000) ;;
-  *) echo "usage: bench.sh [full|quick|areas] [EARLIER]" >&2; exit 2 ;;
+  own) results=bench/RESULTS.md overlay=(--n 1000000 --rivals none --repeat 11) ;;
+  *) echo "usage: bench.sh [full|quick|own] [EARLIER]" >&2; exit 2 ;;
 esac
 tables=$(mktemp)
 older=$(mktemp)
@@ -32,22 +32,29 @@ ways_to_areas() {
   build/bin/bench_areas "${overlay[1]}"
 }
 
-if [ "$mode" = areas ]; then
-  ways_to_areas | stamped >"$draft"
-  awk -v new="$draft" '
-    /^## / { inside = $0 == "## Other ways to areas" }
-    inside { if (!done) while ((getline line < new) > 0) print line; done = 1; next }
-    { print }' "$results" >"$tables"
-  grep -q '^## Other ways to areas' "$tables" || { echo "$results has no such part; run bench.sh full" >&2; exit 1; }
-  cp "$tables" "$results"
-  echo "wrote $results"
-  exit
-fi
-
 build/bin/bench_overlay "${overlay[@]}" --markdown "$tables"
 # The same without AVX-512, where there is any.
 if grep -q avx512vl /proc/cpuinfo; then
   LOBER_ISA=avx2 build/bin/bench_overlay --n "${overlay[1]}" --threads 1 --rivals none --no-growth --markdown "$older"
+fi
+if [ "$mode" = own ]; then
+  {
+    cat "$tables" "$older"
+    ways_to_areas
+  } | stamped >"$draft"
+  # Each part goes from its heading to the next one.
+  awk '
+    /^##+ / { part = $0 }
+    NR == FNR { if ($0 == part && !(part in new)) new[part] = ""; new[part] = new[part] $0 "\n"; next }
+    !(part in new) { print; next }
+    $0 == part { printf "%s", new[part]; put[part] = 1 }
+    END {
+      for (part in new) if (!(part in put)) { print "bench.sh: no part of the results is called " part >"/dev/stderr"; bad = 1 }
+      exit bad
+    }' "$draft" "$results" >"$tables"
+  cp "$tables" "$results"
+  echo "wrote $results"
+  exit
 fi
 
 compiler=$("$(sed -n 's/^CMAKE_CXX_COMPILER:[^=]*=//p' build/CMakeCache.txt)" --version | head -n 1)
