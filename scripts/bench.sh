@@ -44,8 +44,9 @@ if [ "$mode" = own ]; then
   } | stamped >"$draft"
   # Each part goes from its heading to the next one.
   awk '
+    FNR == 1 { part = "" }
     /^##+ / { part = $0 }
-    NR == FNR { if ($0 == part && !(part in new)) new[part] = ""; new[part] = new[part] $0 "\n"; next }
+    NR == FNR { if (part != "") new[part] = new[part] $0 "\n"; next }
     !(part in new) { print; next }
     $0 == part { printf "%s", new[part]; put[part] = 1 }
     END {
