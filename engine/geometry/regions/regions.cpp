@@ -168,19 +168,16 @@ class RegionBuilder {
   void make_table(Arrangement& scene) {
     std::map<Windings, RunningSum> sums;
     // Faces have few pairs of winding numbers, mostly: those met last are found without a search.
-    struct Recent {
-      Windings windings;
-      RunningSum* sum;
-    };
-    std::array<Recent, 64> recent{};
+    std::array<std::map<Windings, RunningSum>::iterator, 64> recent;
+    recent.fill(sums.end());
     const RegionFaces& faces = scene.faces;
     for (std::uint32_t face = 0; face < faces.size(); ++face) {
       const Windings windings = faces.labels[face].windings;
       if (windings == Windings{0, 0}) continue;
       const auto slot = static_cast<std::uint32_t>(windings.of1) + 8 * static_cast<std::uint32_t>(windings.of2);
-      Recent& found = recent[slot % recent.size()];
-      if (found.sum == nullptr || found.windings != windings) found = {windings, &sums[windings]};
-      found.sum->add(faces.twice_area[face]);
+      auto& found = recent[slot % recent.size()];
+      if (found == sums.end() || found->first != windings) found = sums.try_emplace(windings).first;
+      found->second.add(faces.twice_area[face]);
     }
     for (const auto& [windings, sum] : sums) {
       scene.table.push_back({windings.of1, windings.of2, scene.area(sum.value())});
