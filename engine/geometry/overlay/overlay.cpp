@@ -1,6 +1,7 @@
 #include "lober/overlay/overlay.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -109,12 +110,15 @@ class OverlayBuilder {
       for (const double lane : tree.box().lane) {
         result_.largest_coordinate = std::max(result_.largest_coordinate, std::fabs(lane));
       }
-      std::vector<double> longest((tree.leaves() + leaves_a_task - 1) / leaves_a_task);
+      std::atomic<double> longest{result_.longest_segment};
       for_each_block(tree.leaves(), leaves_a_task, [&](std::size_t begin, std::size_t end) {
-        double& here = longest[begin / leaves_a_task];
+        double here = 0;
         for (std::size_t leaf = begin; leaf < end; ++leaf) here = std::max(here, tree.leaf_boxes()[leaf].extent());
+        double known = longest;
+        while (known < here && !longest.compare_exchange_weak(known, here)) {
+        }
       });
-      for (const double length : longest) result_.longest_segment = std::max(result_.longest_segment, length);
+      result_.longest_segment = longest;
     }
   }
 
